@@ -9,26 +9,26 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
 
 import jax
 
 from asperity.engine.elimination import optimised
+from asperity.types import Tree
 
 #: For a few thousand points: without the optimisations that take longer than what they save.
-_FOR_FEW: dict[str, Any] = {"xla_backend_optimization_level": 0}
+_FOR_FEW: dict[str, Tree] = {"xla_backend_optimization_level": 0}
 #: For what is called again and again.
-_FOR_OFTEN: dict[str, Any] = {"xla_backend_optimization_level": 1}
+_FOR_OFTEN: dict[str, Tree] = {"xla_backend_optimization_level": 1}
 #: For many points: without threads of XLA's own, which take more time than they save, and without the sums and products
 #: of YNNPACK, which take longer than XLA's own where arrays are small.
-_FOR_MANY: dict[str, Any] = {"xla_cpu_multi_thread_eigen": False, "xla_cpu_experimental_ynn_fusion_type": ""}
+_FOR_MANY: dict[str, Tree] = {"xla_cpu_multi_thread_eigen": False, "xla_cpu_experimental_ynn_fusion_type": ""}
 
-Kinds = tuple[tuple[tuple[int, ...], Any], ...]
+Kinds = tuple[tuple[tuple[int, ...], Tree], ...]
 
 
 def program_for_few(
-    function: Callable[..., Any], *modules: Any, options: tuple[Any, ...] = (), often: bool = False
-) -> Callable[..., Any]:
+    function: Callable[..., Tree], *modules: Tree, options: tuple[Tree, ...] = (), often: bool = False
+) -> Callable[..., Tree]:
     """A function of modules of arrays, compiled for arrays of these shapes; the same program on a repeated call.
 
     ``options`` are its leading arguments that select what to compute, no numbers of the program but values that can be
@@ -40,14 +40,14 @@ def program_for_few(
 
 @functools.lru_cache(maxsize=16)
 def _for_few(
-    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: Kinds, often: bool
-) -> Callable[..., Any]:
+    function: Callable[..., Tree], options: tuple[Tree, ...], structure: Tree, kinds: Kinds, often: bool
+) -> Callable[..., Tree]:
     shapes = jax.tree.unflatten(structure, [jax.ShapeDtypeStruct(*kind) for kind in kinds])
     lowered = jax.jit(functools.partial(function, *options)).lower(*shapes)
     return _compiled(lowered, _FOR_OFTEN if often else _FOR_FEW)
 
 
-def program_for_many(function: Callable[..., Any], *arguments: Any) -> Callable[..., Any]:
+def program_for_many(function: Callable[..., Tree], *arguments: Tree) -> Callable[..., Tree]:
     """A function of many points at once, compiled with all optimisations; threads may call it side by side."""
     if jax.default_backend() != "cpu":  # it has kernels of its own, and threads for one program
         return _compiled(jax.jit(function).lower(*arguments), {})
@@ -56,16 +56,16 @@ def program_for_many(function: Callable[..., Any], *arguments: Any) -> Callable[
     return _compiled(lowered, _FOR_MANY)
 
 
-def _compiled(lowered: Any, options: dict[str, Any]) -> Callable[..., Any]:
+def _compiled(lowered: Tree, options: dict[str, Tree]) -> Callable[..., Tree]:
     """What XLA makes of a program; without options that this release of XLA does not know."""
 
-    def compiled() -> Any:
+    def compiled() -> Tree:
         try:
             return lowered.compile(compiler_options=options)
         except jax.errors.JaxRuntimeError:
             return lowered.compile()
 
-    program: Callable[..., Any] = _compilers().submit(compiled).result()
+    program: Callable[..., Tree] = _compilers().submit(compiled).result()
     return program
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import operator
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from asperity.engine.control import vectorised, while_loop
 from asperity.engine.derivatives import linearised, slopes_apart, without_slopes
 from asperity.engine.dual import Dual, constant_at, highest_level
 from asperity.linear import solve
-from asperity.types import Array
+from asperity.types import Array, Tree
 
 #: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
 SETTLED = 1e-9
@@ -23,11 +22,11 @@ _ROUNDS = 20
 
 
 def implicit_root(
-    equations: Callable[[Any], Any],
-    start: Any,
-    search: Callable[[Callable[[Any], Any], Any], Any],
-    solve: Callable[[Callable[[Any], Any], Any], Any],
-) -> Any:
+    equations: Callable[[Tree], Tree],
+    start: Tree,
+    search: Callable[[Callable[[Tree], Tree], Tree], Tree],
+    solve: Callable[[Callable[[Tree], Tree], Tree], Tree],
+) -> Tree:
     r"""Root of equations, with their derivatives at it.
 
     .. math:: f(x; p) = 0 \quad\Rightarrow\quad \frac{\partial f}{\partial x}\,\dot x = -\frac{\partial f}{\partial p}\,
@@ -67,7 +66,7 @@ def implicit_root(
     program, shape = jax.make_jaxpr(jax.jit(equations), return_shape=True)(start)
     structure = jax.tree.structure(shape)
 
-    def equations_of(x: Any, numbers: list[Any]) -> Any:
+    def equations_of(x: Tree, numbers: list[Tree]) -> Tree:
         values = jax.core.eval_jaxpr(program.jaxpr, numbers, *trees.leaves(x))
         return jax.tree.unflatten(structure, values)
 
@@ -75,11 +74,11 @@ def implicit_root(
     solution = jax.lax.stop_gradient(search(lambda x: equations_of(x, fixed), start))
 
     @jax.custom_jvp
-    def root(solution: Any, numbers: Any) -> Any:
+    def root(solution: Tree, numbers: Tree) -> Tree:
         return solution
 
     @root.defjvp
-    def derivative(primals: Any, tangents: Any) -> Any:
+    def derivative(primals: Tree, tangents: Tree) -> Tree:
         (solution, given), (_, moved) = primals, tangents
         at = root(solution, given)  # the root itself, so that this may be differentiated in turn
         _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
@@ -90,11 +89,11 @@ def implicit_root(
 
 
 def _root_of_numbers(
-    equations: Callable[[Any], Any],
-    start: Any,
-    search: Callable[[Callable[[Any], Any], Any], Any],
-    solve: Callable[[Callable[[Any], Any], Any], Any],
-) -> Any:
+    equations: Callable[[Tree], Tree],
+    start: Tree,
+    search: Callable[[Callable[[Tree], Tree], Tree], Tree],
+    solve: Callable[[Callable[[Tree], Tree], Tree], Tree],
+) -> Tree:
     """The root of NumPy's numbers; with slopes where the equations have some at it.
 
     The search does without slopes of the numbers that are given, but may find those of the equations.
@@ -105,7 +104,7 @@ def _root_of_numbers(
     highest = highest_level(trees.leaves(equations(found)))
     for level in range(1, highest + 1):  # slopes of the higher ones have slopes of the lower ones
 
-        def up_to(lowest: int, x: Any) -> Any:
+        def up_to(lowest: int, x: Tree) -> Tree:
             return _without_levels(equations(x), lowest, highest)
 
         misfit = up_to(level + 1, found)
@@ -117,18 +116,18 @@ def _root_of_numbers(
     return found
 
 
-def _without_levels(module: Any, lowest: int, highest: int) -> Any:
+def _without_levels(module: Tree, lowest: int, highest: int) -> Tree:
     """A module of numbers without their slopes of some levels."""
     for level in range(lowest, highest + 1):
         module = trees.map(lambda leaf, level=level: constant_at(leaf, level), module)
     return module
 
 
-def _known_once(linear: Callable[[Any], Any]) -> Callable[[Any], Any]:
+def _known_once(linear: Callable[[Tree], Tree]) -> Callable[[Tree], Tree]:
     """A linear function that is computed once for each direction of NumPy's numbers."""
-    known: dict[bytes, Any] = {}
+    known: dict[bytes, Tree] = {}
 
-    def of_direction(direction: Any) -> Any:
+    def of_direction(direction: Tree) -> Tree:
         if not isinstance(direction, np.ndarray):
             return linear(direction)
         key = direction.tobytes()

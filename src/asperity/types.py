@@ -8,7 +8,11 @@ if TYPE_CHECKING:
 else:
     Array = ArrayLike = Any
 
+#: A number or an array of any engine: Python's, NumPy's, JAX's, with slopes, or many at once.
+Number: TypeAlias = Any
+#: Numbers in modules, tuples and dictionaries, nested as they may be; or one of them.
+Tree: TypeAlias = Any
 #: A float or an array of floats of any broadcastable shape; formulas map `Real` to `Real` elementwise.
 Real: TypeAlias = Array | float
 
-__all__ = ["Array", "ArrayLike", "Real"]
+__all__ = ["Array", "ArrayLike", "Number", "Real", "Tree"]

@@ -12,11 +12,12 @@ from __future__ import annotations
 import importlib
 import sys
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from asperity.engine import trees
+from asperity.types import Number
 
 #: What is NumPy's or Python's own, and therefore neither an array of JAX nor a number of ours.
 _PLAIN = frozenset(
@@ -37,11 +38,11 @@ class OwnNumber:
     rank: ClassVar[int] = 0
 
     @classmethod
-    def function(cls, name: str) -> Callable[..., Any]:
+    def function(cls, name: str) -> Callable[..., Number]:
         """The function of :mod:`numpy` of this name, for arguments of which some are of this kind."""
         raise NotImplementedError
 
-    def __array__(self, *_: Any, **__: Any) -> np.ndarray:
+    def __array__(self, *_: Number, **__: Number) -> np.ndarray:
         raise TypeError("this is no array of NumPy; compute with asperity.engine.arrays.xp")
 
 
@@ -49,7 +50,7 @@ class MeetsJaxError(TypeError):
     """A number of our own meets one of JAX's, which cannot compute with it."""
 
 
-def is_of_jax(number: Any) -> bool:
+def is_of_jax(number: Number) -> bool:
     """Whether a number is an array of JAX, or stands for one in a program; False where nobody has imported JAX."""
     if type(number) in _PLAIN:
         return False
@@ -57,7 +58,7 @@ def is_of_jax(number: Any) -> bool:
     return jax is not None and isinstance(number, getattr(jax, "Array", ()))
 
 
-def uses_jax(*modules: Any) -> bool:
+def uses_jax(*modules: Number) -> bool:
     """Whether an array of JAX is among the leaves of modules of numbers.
 
     Raises
@@ -74,22 +75,22 @@ def uses_jax(*modules: Any) -> bool:
     return True
 
 
-def refuse_own(numbers: Iterable[Any]) -> None:
+def refuse_own(numbers: Iterable[Number]) -> None:
     """Raise :class:`MeetsJaxError` if a number of our own is among those that JAX is to compute with."""
     if any(isinstance(number, OwnNumber) for number in numbers):
         raise MeetsJaxError("numbers with slopes, or many at once, meet an array of JAX")
 
 
-def as_numbers(tree: Any) -> Any:
+def as_numbers(tree: Number) -> Number:
     """A module of numbers with NumPy's floats as its leaves: what one joint is computed with."""
     return trees.map(lambda leaf: np.asarray(leaf, dtype=float), tree)
 
 
-def _kind(arguments: Iterable[Any]) -> type[OwnNumber] | str | None:
+def _kind(arguments: Iterable[Number]) -> type[OwnNumber] | str | None:
     """What computes: ``jax``, a kind of our own numbers, or None for NumPy."""
     own: type[OwnNumber] | None = None
     for argument in arguments:
-        kind: Any = type(argument)
+        kind: Number = type(argument)
         if kind in _PLAIN:
             continue
         if isinstance(argument, tuple | list):
@@ -110,10 +111,10 @@ def _kind(arguments: Iterable[Any]) -> type[OwnNumber] | str | None:
 class _Arrays:
     """The functions of one module of NumPy and of the module of JAX with a name, by their names."""
 
-    def __init__(self, of_numpy: Any, of_jax: str) -> None:
+    def __init__(self, of_numpy: Number, of_jax: str) -> None:
         self._of_numpy, self._of_jax = of_numpy, of_jax
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Number:
         found = getattr(self._of_numpy, name)
         if name == "linalg":
             found = _Arrays(np.linalg, "jax.numpy.linalg")
@@ -123,14 +124,14 @@ class _Arrays:
         return found
 
 
-def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable[..., Any]:
+def _choosing(of_numpy: Callable[..., Number], library: str, name: str) -> Callable[..., Number]:
     """One function of both libraries, and of our own numbers."""
-    of_own: dict[type[OwnNumber], Callable[..., Any]] = {}
+    of_own: dict[type[OwnNumber], Callable[..., Number]] = {}
 
-    def function(*arguments: Any, **options: Any) -> Any:
-        own: Any = None
+    def function(*arguments: Number, **options: Number) -> Number:
+        own: Number = None
         for argument in arguments:
-            kind: Any = type(argument)
+            kind: Number = type(argument)
             if kind in _PLAIN:
                 continue
             if kind not in of_own:
@@ -156,11 +157,11 @@ def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable
 class _Special:
     """Functions of :mod:`scipy.special` and of the same of JAX, which NumPy lacks; imported when they are called."""
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Number:
         if name.startswith("_"):
             raise AttributeError(name)
 
-        def of_scipy(*arguments: Any) -> Any:
+        def of_scipy(*arguments: Number) -> Number:
             return getattr(importlib.import_module("scipy.special"), name)(*arguments)
 
         setattr(self, name, _choosing(of_scipy, "jax.scipy.special", name))
@@ -168,15 +169,15 @@ class _Special:
 
 
 #: The same functions without types, for what is no array.
-any_xp: Any = _Arrays(np, "jax.numpy")
-special: Any = _Special()
+any_xp: Number = _Arrays(np, "jax.numpy")
+special: Number = _Special()
 if TYPE_CHECKING:
     import jax.numpy as xp
 else:
     xp = any_xp
 
 
-def complex_number(real: Any, imaginary: Any) -> Any:
+def complex_number(real: Number, imaginary: Number) -> Number:
     """A complex number of its parts."""
     if is_of_jax(real) or is_of_jax(imaginary):
         import jax
@@ -190,6 +191,6 @@ def complex_number(real: Any, imaginary: Any) -> Any:
     return number
 
 
-def entry_of(table: Any, place: Any) -> Any:
+def entry_of(table: Number, place: Number) -> Number:
     """Entries of a table of constants at places that are computed, from 0 on."""
     return any_xp.take(np.asarray(table), place, axis=0, mode="clip")

@@ -12,7 +12,6 @@ import itertools
 import math
 import threading
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from asperity.engine import trees
 from asperity.engine.arrays import MeetsJaxError, OwnNumber, is_of_jax, refuse_own, uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
 from asperity.engine.many import Many, aligned, chosen, many, together
+from asperity.types import Tree
 
 
 class _ManyAtOnce(threading.local):
@@ -47,7 +47,7 @@ def _only(wanted: np.ndarray) -> Iterator[None]:
         _MANY.wanted = before
 
 
-def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
+def while_loop(unfinished: Callable[[Tree], Tree], improve: Callable[[Tree], Tree], state: Tree) -> Tree:
     """A state, improved while it is unfinished, as :func:`jax.lax.while_loop`.
 
     A state of NumPy's numbers that becomes one of JAX's on the way, by what the functions close over, goes on as one.
@@ -76,11 +76,11 @@ def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], 
 def fori_loop(
     lower: int,
     upper: int,
-    body: Callable[[Any, Any], Any],
-    state: Any,
+    body: Callable[[Tree, Tree], Tree],
+    state: Tree,
     *,
-    settled: Callable[[Any, Any], Any] | None = None,
-) -> Any:
+    settled: Callable[[Tree, Tree], Tree] | None = None,
+) -> Tree:
     """A state after a fixed number of steps, as :func:`jax.lax.fori_loop`.
 
     Under NumPy it ends after the first step of which ``settled``, of the states before and after it, says so: further
@@ -97,7 +97,7 @@ def fori_loop(
     return state
 
 
-def is_rounding(residual: Any) -> bool:
+def is_rounding(residual: Tree) -> bool:
     """Whether residuals of equations whose terms are of order 1 are all as small as rounding makes them."""
     left = plain(residual)
     if isinstance(left, Many):
@@ -110,7 +110,9 @@ def is_rounding(residual: Any) -> bool:
 _ROUNDING = 4.0 * float(np.finfo(float).eps)
 
 
-def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = None, length: int = 0) -> Any:
+def scan(
+    step: Callable[[Tree, Tree], tuple[Tree, Tree]], state: Tree, given: Tree = None, length: int = 0
+) -> Tree:
     """The last state and what each step gave, stacked, as :func:`jax.lax.scan`."""
     count = length if given is None else len(trees.leaves(given)[0])
     if uses_jax(state, given):
@@ -125,13 +127,13 @@ def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = N
     return state, stacked(outputs)
 
 
-def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbers: Any) -> Any:
+def cond(condition: Tree, yes: Callable[..., Tree], no: Callable[..., Tree], *numbers: Tree) -> Tree:
     """One of two functions of the numbers, as :func:`jax.lax.cond`."""
     if is_of_jax(condition):
         import jax
 
-        def for_jax(function: Callable[..., Any]) -> Callable[..., Any]:
-            def result(*numbers: Any) -> Any:
+        def for_jax(function: Callable[..., Tree]) -> Callable[..., Tree]:
+            def result(*numbers: Tree) -> Tree:
                 found = function(*numbers)
                 refuse_own(trees.leaves(found))
                 return found
@@ -153,10 +155,10 @@ def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbe
     return chosen(condition, of_met, of_missed)
 
 
-def map_over(function: Callable[[Any], Any], given: Any) -> Any:
+def map_over(function: Callable[[Tree], Tree], given: Tree) -> Tree:
     """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once."""
 
-    def by_jax(given: Any) -> Any:
+    def by_jax(given: Tree) -> Tree:
         import jax
 
         return jax.lax.map(function, given)
@@ -164,10 +166,10 @@ def map_over(function: Callable[[Any], Any], given: Any) -> Any:
     return _over(function, by_jax, (given,), out_axis=0)
 
 
-def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[..., Any]:
+def vectorised(function: Callable[..., Tree], *, out_axis: int = 0) -> Callable[..., Tree]:
     """A function over the first axes of its arguments, as :func:`jax.vmap`."""
 
-    def by_jax(*arguments: Any) -> Any:
+    def by_jax(*arguments: Tree) -> Tree:
         import jax
 
         return jax.vmap(function, out_axes=out_axis)(*arguments)
@@ -176,8 +178,8 @@ def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[.
 
 
 def _over(
-    function: Callable[..., Any], by_jax: Callable[..., Any], arguments: tuple[Any, ...], out_axis: int
-) -> Any:
+    function: Callable[..., Tree], by_jax: Callable[..., Tree], arguments: tuple[Tree, ...], out_axis: int
+) -> Tree:
     """A function over the first axes of its arguments; by JAX where these or what it closes over are JAX's."""
     if uses_jax(arguments):
         return by_jax(*arguments)
@@ -194,18 +196,18 @@ def _over(
     return by_jax(*arguments)
 
 
-def entries(given: Any) -> list[Any]:
+def entries(given: Tree) -> list[Tree]:
     """The entries of a module of arrays along their first axis."""
     count = len(trees.leaves(given)[0])
     return [trees.map(lambda leaf, i=i: leaf[i], given) for i in range(count)]
 
 
-def stacked(modules: list[Any], axis: int = 0) -> Any:
+def stacked(modules: list[Tree], axis: int = 0) -> Tree:
     """Modules of numbers as one with an axis more."""
     return trees.map(lambda *leaves: xp.stack([xp.asarray(leaf) for leaf in leaves], axis=axis), *modules)
 
 
-def at_once(function: Callable[..., Any], *modules: Any) -> Any:
+def at_once(function: Callable[..., Tree], *modules: Tree) -> Tree:
     """A function of modules of numbers: under NumPy without its warnings, with NumPy's arrays as leaves.
 
     This is the door to the formula code. Formulas choose between regimes by ``where``, so that what is not chosen may
@@ -218,7 +220,7 @@ def at_once(function: Callable[..., Any], *modules: Any) -> Any:
         return trees.map(np.asarray, function(*trees.map(np.asarray, modules)))
 
 
-def once(number: Any) -> Any:
+def once(number: Tree) -> Tree:
     """A number that XLA computes once, not anew for every use."""
     if not uses_jax(number):
         return number
@@ -227,32 +229,32 @@ def once(number: Any) -> Any:
     return jax.lax.optimization_barrier(number)
 
 
-def traced_once(function: Callable[..., Any], *, fixed: tuple[str, ...] = ()) -> Callable[..., Any]:
+def traced_once(function: Callable[..., Tree], *, fixed: tuple[str, ...] = ()) -> Callable[..., Tree]:
     """A function that is traced once for all its uses in the programs of JAX; ``fixed`` arguments are no numbers."""
 
     @functools.cache
-    def of_jax() -> Callable[..., Any]:
+    def of_jax() -> Callable[..., Tree]:
         import jax
 
         return jax.jit(function, static_argnames=fixed)
 
     @functools.wraps(function)
-    def either(*arguments: Any, **options: Any) -> Any:
+    def either(*arguments: Tree, **options: Tree) -> Tree:
         return (of_jax() if uses_jax(arguments, options) else function)(*arguments, **options)
 
     return either
 
 
-def in_one(module: Any) -> tuple[Any, Callable[[Any], Any]]:
+def in_one(module: Tree) -> tuple[Tree, Callable[[Tree], Tree]]:
     """All numbers of a module in one array of one axis, and the function that makes such a module of an array."""
     leaves = trees.leaves(module)
     sizes = [math.prod(np.shape(leaf)) for leaf in leaves]
     starts = [0, *itertools.accumulate(sizes)]
 
-    def apart(numbers: Any) -> Any:
+    def apart(numbers: Tree) -> Tree:
         places = iter(zip(starts, sizes, strict=False))
 
-        def part(leaf: Any) -> Any:
+        def part(leaf: Tree) -> Tree:
             start, size = next(places)
             return numbers[start : start + size].reshape(np.shape(leaf))
 
@@ -261,17 +263,17 @@ def in_one(module: Any) -> tuple[Any, Callable[[Any], Any]]:
     return xp.concatenate([xp.ravel(leaf) for leaf in leaves]), apart
 
 
-def put(array: Any, place: Any, values: Any) -> Any:
+def put(array: Tree, place: Tree, values: Tree) -> Tree:
     """An array with other values at some places, as ``array.at[place].set(values)`` of JAX."""
     return _changed(array, place, values, "set")
 
 
-def added_at(array: Any, place: Any, values: Any) -> Any:
+def added_at(array: Tree, place: Tree, values: Tree) -> Tree:
     """An array with values added at some places."""
     return _changed(array, place, values, "add")
 
 
-def least_at(array: Any, place: Any, values: Any) -> Any:
+def least_at(array: Tree, place: Tree, values: Tree) -> Tree:
     """An array with the smaller ones of its values and others at some places."""
     return _changed(array, place, values, "min")
 
@@ -283,7 +285,7 @@ _CHANGES: dict[str, Callable[..., None]] = {
 }
 
 
-def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
+def _changed(array: Tree, place: Tree, values: Tree, how: str) -> Tree:
     if uses_jax(array, values):
         import jax.numpy as jnp
 
@@ -297,7 +299,7 @@ def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
     return changed
 
 
-def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
+def _changed_with_slopes(array: Tree, place: Tree, values: Tree, how: str) -> Tree:
     assert how != "min"
     level = highest_level([array, values])
     count = directions_at([array, values], level)
@@ -309,7 +311,7 @@ def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
     return Dual(_changed(value_at(array, level), place, value_at(values, level), how), slopes, level)
 
 
-def _changed_of_many(array: Any, place: Any, values: Any, how: str) -> Any:
+def _changed_of_many(array: Tree, place: Tree, values: Tree, how: str) -> Tree:
     count = len((array if isinstance(array, Many) else values).values)
     changed = np.array(together(array, count))
     at = (slice(None), *place) if isinstance(place, tuple) else (slice(None), place)

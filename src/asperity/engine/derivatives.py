@@ -7,13 +7,13 @@ import functools
 import operator
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
 from asperity.engine import trees
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
+from asperity.types import Tree
 
 
 class _Levels(threading.local):
@@ -32,7 +32,7 @@ def _next_level() -> Iterator[int]:
         _LEVELS.highest -= 1
 
 
-def without_slopes(tree: Any) -> Any:
+def without_slopes(tree: Tree) -> Tree:
     """A module of numbers whose derivatives are 0, whatever they depend on."""
     if uses_jax(tree):
         import jax
@@ -42,8 +42,8 @@ def without_slopes(tree: Any) -> Any:
 
 
 def value_and_slope(
-    function: Callable[..., Any], primals: tuple[Any, ...], tangents: tuple[Any, ...]
-) -> tuple[Any, Any]:
+    function: Callable[..., Tree], primals: tuple[Tree, ...], tangents: tuple[Tree, ...]
+) -> tuple[Tree, Tree]:
     """A function of modules of numbers and its slope in one direction: :func:`jax.jvp` under both engines."""
     if uses_jax(primals, tangents):
         import jax
@@ -54,8 +54,8 @@ def value_and_slope(
 
 
 def value_and_slopes(
-    function: Callable[..., Any], primals: tuple[Any, ...], directions: Sequence[tuple[Any, ...]]
-) -> tuple[Any, list[Any]]:
+    function: Callable[..., Tree], primals: tuple[Tree, ...], directions: Sequence[tuple[Tree, ...]]
+) -> tuple[Tree, list[Tree]]:
     """A function of modules of numbers, and its slopes in several directions, each of the structure of the value."""
     if uses_jax(primals, directions):
         import jax
@@ -74,7 +74,7 @@ def value_and_slopes(
         return _apart(function(*given), level, len(directions))
 
 
-def _with_slopes(number: Any, slopes: tuple[Any, ...], level: int) -> Any:
+def _with_slopes(number: Tree, slopes: tuple[Tree, ...], level: int) -> Tree:
     """A number with its slopes; as it is where it has none, or is none of which there are any."""
     if not _is_continuous(number):
         return number
@@ -82,12 +82,12 @@ def _with_slopes(number: Any, slopes: tuple[Any, ...], level: int) -> Any:
     return number if all(slope is None for slope in known) else Dual(number, known, level)
 
 
-def _is_continuous(number: Any) -> bool:
+def _is_continuous(number: Tree) -> bool:
     """Whether a number is one of which there are slopes, no count and no condition."""
     return isinstance(number, float) or getattr(getattr(number, "dtype", None), "kind", "") in ("f", "c")
 
 
-def jacobian(function: Callable[[Any], Any], at: Any) -> Any:
+def jacobian(function: Callable[[Tree], Tree], at: Tree) -> Tree:
     """Slopes of an array by an array, both with one axis, shape (values, numbers): :func:`jax.jacfwd`."""
     if uses_jax(at):
         import jax
@@ -97,7 +97,7 @@ def jacobian(function: Callable[[Any], Any], at: Any) -> Any:
     return xp.stack(slopes, axis=-1) if slopes else np.zeros((*np.shape(value), 0))
 
 
-def linearised(function: Callable[[Any], Any], at: Any) -> tuple[Any, Callable[[Any], Any]]:
+def linearised(function: Callable[[Tree], Tree], at: Tree) -> tuple[Tree, Callable[[Tree], Tree]]:
     """A function of a module of numbers and its slope there, as a function of the direction: :func:`jax.linearize`."""
     if uses_jax(at):
         import jax
@@ -106,19 +106,19 @@ def linearised(function: Callable[[Any], Any], at: Any) -> tuple[Any, Callable[[
     return function(at), lambda direction: value_and_slope(function, (at,), (direction,))[1]
 
 
-def _apart(result: Any, level: int, count: int) -> tuple[Any, list[Any]]:
+def _apart(result: Tree, level: int, count: int) -> tuple[Tree, list[Tree]]:
     """The value of a result and its slopes in each direction."""
     value = trees.map(lambda leaf: value_at(leaf, level), result)
     return value, [trees.map(lambda leaf, k=k: _slope(leaf, level, count, k), result) for k in range(count)]
 
 
-def slopes_apart(module: Any, level: int) -> list[Any]:
+def slopes_apart(module: Tree, level: int) -> list[Tree]:
     """Slopes of a module of numbers at a level, one module for each direction."""
     count = directions_at(trees.leaves(module), level)
     return [trees.map(lambda leaf, k=k: _slope(leaf, level, count, k), module) for k in range(count)]
 
 
-def _slope(leaf: Any, level: int, count: int, k: int) -> Any:
+def _slope(leaf: Tree, level: int, count: int, k: int) -> Tree:
     """Slope of one number in one direction."""
     found = slopes_at(leaf, level, count)[k]
     return np.zeros(np.shape(plain(leaf))) if found is None else found
@@ -135,27 +135,27 @@ class with_rule:  # noqa: N801 - a decorator
     of them, and the rule is given None for a tangent that is 0.
     """
 
-    def __init__(self, function: Callable[..., Any], *, fixed: int = 0, none_for_zero: bool = False) -> None:
+    def __init__(self, function: Callable[..., Tree], *, fixed: int = 0, none_for_zero: bool = False) -> None:
         self._function, self._fixed, self._none_for_zero = function, fixed, none_for_zero
-        self._rule: Callable[..., tuple[Any, Any]] | None = None
+        self._rule: Callable[..., tuple[Tree, Tree]] | None = None
         self._knowing = threading.local()
         self.__doc__, self.__name__ = function.__doc__, function.__name__
         self.__module__, self.__wrapped__ = function.__module__, function
 
-    def defjvp(self, rule: Callable[..., tuple[Any, Any]]) -> Callable[..., tuple[Any, Any]]:
+    def defjvp(self, rule: Callable[..., tuple[Tree, Tree]]) -> Callable[..., tuple[Tree, Tree]]:
         """Set the rule, of the fixed arguments, the primals and the tangents."""
         self._rule = rule
         return rule
 
     @functools.cached_property
-    def _of_jax(self) -> Callable[..., Any]:
+    def _of_jax(self) -> Callable[..., Tree]:
         """The same for JAX."""
         import jax
 
         assert self._rule is not None
         function, rule = jax.custom_jvp(self._function, nondiff_argnums=tuple(range(self._fixed))), self._rule
 
-        def with_none(*given: Any) -> tuple[Any, Any]:
+        def with_none(*given: Tree) -> tuple[Tree, Tree]:
             *fixed, primals, tangents = given
             zero = jax.custom_derivatives.SymbolicZero
             return rule(*fixed, primals, tuple(None if isinstance(one, zero) else one for one in tangents))
@@ -166,7 +166,7 @@ class with_rule:  # noqa: N801 - a decorator
             function.defjvp(rule)
         return function
 
-    def __call__(self, *arguments: Any) -> Any:
+    def __call__(self, *arguments: Tree) -> Tree:
         """The function, its slopes by the rule."""
         fixed, numbers = arguments[: self._fixed], arguments[self._fixed :]
         known = self._known
@@ -181,12 +181,14 @@ class with_rule:  # noqa: N801 - a decorator
         return self._with_slopes(fixed, numbers, level, directions_at(leaves, level))
 
     @property
-    def _known(self) -> tuple[tuple[Any, ...], Any] | None:
+    def _known(self) -> tuple[tuple[Tree, ...], Tree] | None:
         """Numbers whose value is known while their slopes are found."""
-        found: tuple[tuple[Any, ...], Any] | None = getattr(self._knowing, "value", None)
+        found: tuple[tuple[Tree, ...], Tree] | None = getattr(self._knowing, "value", None)
         return found
 
-    def _with_slopes(self, fixed: tuple[Any, ...], numbers: tuple[Any, ...], level: int, count: int) -> Any:
+    def _with_slopes(
+        self, fixed: tuple[Tree, ...], numbers: tuple[Tree, ...], level: int, count: int
+    ) -> Tree:
         assert self._rule is not None
         primals = trees.map(lambda leaf: value_at(leaf, level), numbers)
         value, slopes, before = self(*fixed, *primals), [], self._known
@@ -200,12 +202,12 @@ class with_rule:  # noqa: N801 - a decorator
         finally:
             self._knowing.value = before
 
-        def with_its_slopes(leaf: Any, *along: Any) -> Dual:
+        def with_its_slopes(leaf: Tree, *along: Tree) -> Dual:
             return Dual(leaf, [None if slope is _NO_SLOPE else slope for slope in along], level)
 
         return trees.map(with_its_slopes, value, *slopes)
 
-    def _tangents(self, numbers: tuple[Any, ...], level: int, count: int, k: int) -> tuple[Any, ...]:
+    def _tangents(self, numbers: tuple[Tree, ...], level: int, count: int, k: int) -> tuple[Tree, ...]:
         if not self._none_for_zero:
             return trees.map(lambda leaf: _slope(leaf, level, count, k), numbers)
         assert len(trees.leaves(numbers)) == len(numbers)

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
 
 import numpy as np
 
 from asperity.engine.arrays import OwnNumber, complex_number, special
 from asperity.engine.arrays import any_xp as xp
+from asperity.types import Number
 
 
 class Dual(OwnNumber):
@@ -27,11 +27,11 @@ class Dual(OwnNumber):
     __slots__ = ("level", "slopes", "value")
     rank = 2
 
-    def __init__(self, value: Any, slopes: Sequence[Any], level: int) -> None:
+    def __init__(self, value: Number, slopes: Sequence[Number], level: int) -> None:
         self.value, self.slopes, self.level = value, slopes, level
 
     @classmethod
-    def function(cls, name: str) -> Callable[..., Any]:
+    def function(cls, name: str) -> Callable[..., Number]:
         """The function of this name with slopes."""
         return _with_slopes(name)
 
@@ -48,61 +48,61 @@ class Dual(OwnNumber):
         return math.prod(self.shape)
 
     @property
-    def dtype(self) -> Any:
+    def dtype(self) -> Number:
         return np.dtype(float)
 
     @property
-    def T(self) -> Any:  # noqa: N802 - NumPy's name
+    def T(self) -> Number:  # noqa: N802 - NumPy's name
         return _each(self, lambda part: part.T)
 
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Number:
         return (self[i] for i in range(self.shape[0]))
 
-    def __getitem__(self, place: Any) -> Any:
+    def __getitem__(self, place: Number) -> Number:
         return _each(self, lambda part: part[place])
 
     @property
-    def real(self) -> Any:
+    def real(self) -> Number:
         return _each(self, lambda part: part.real)
 
     @property
-    def imag(self) -> Any:
+    def imag(self) -> Number:
         return _each(self, lambda part: part.imag)
 
-    def astype(self, kind: Any) -> Any:
+    def astype(self, kind: Number) -> Number:
         return self if np.dtype(kind).kind in "fc" else plain(self).astype(kind)
 
-    def reshape(self, *shape: Any) -> Any:
+    def reshape(self, *shape: Number) -> Number:
         return _each(self, lambda part: part.reshape(*shape))
 
-    def ravel(self) -> Any:
+    def ravel(self) -> Number:
         return _each(self, lambda part: part.ravel())
 
-    def sum(self, axis: Any = None) -> Any:
+    def sum(self, axis: Number = None) -> Number:
         return _each(self, lambda part: part.sum(axis=axis))
 
-    def mean(self, axis: Any = None) -> Any:
+    def mean(self, axis: Number = None) -> Number:
         return _each(self, lambda part: part.mean(axis=axis))
 
-    def max(self, axis: Any = None) -> Any:
+    def max(self, axis: Number = None) -> Number:
         return xp.max(self, axis=axis)
 
-    def min(self, axis: Any = None) -> Any:
+    def min(self, axis: Number = None) -> Number:
         return xp.min(self, axis=axis)
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> Number:
         return _each(self, lambda part: -part)
 
-    def __pos__(self) -> Any:
+    def __pos__(self) -> Number:
         return self
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> Number:
         return xp.abs(self)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Number) -> Number:
         if type(other) is Dual:
             return _sum(self, other)
         value = self.value + other
@@ -110,13 +110,13 @@ class Dual(OwnNumber):
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Number) -> Number:
         return self + -other
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: Number) -> Number:
         return -self + other
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Number:
         if type(other) is Dual:
             return _product(self, other)
         slopes = [None if slope is None else slope * other for slope in self.slopes]
@@ -124,43 +124,43 @@ class Dual(OwnNumber):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Number) -> Number:
         if type(other) is Dual:
             return _quotient(self, other)
         slopes = [None if slope is None else slope / other for slope in self.slopes]
         return Dual(self.value / other, slopes, self.level)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Number:
         return _quotient(other, self)
 
-    def __pow__(self, other: Any) -> Any:
+    def __pow__(self, other: Number) -> Number:
         return xp.power(self, other)
 
-    def __rpow__(self, other: Any) -> Any:
+    def __rpow__(self, other: Number) -> Number:
         return xp.power(other, self)
 
-    def __matmul__(self, other: Any) -> Any:
+    def __matmul__(self, other: Number) -> Number:
         return xp.matmul(self, other)
 
-    def __rmatmul__(self, other: Any) -> Any:
+    def __rmatmul__(self, other: Number) -> Number:
         return xp.matmul(other, self)
 
-    def __lt__(self, other: Any) -> Any:
+    def __lt__(self, other: Number) -> Number:
         return plain(self) < plain(other)
 
-    def __le__(self, other: Any) -> Any:
+    def __le__(self, other: Number) -> Number:
         return plain(self) <= plain(other)
 
-    def __gt__(self, other: Any) -> Any:
+    def __gt__(self, other: Number) -> Number:
         return plain(self) > plain(other)
 
-    def __ge__(self, other: Any) -> Any:
+    def __ge__(self, other: Number) -> Number:
         return plain(self) >= plain(other)
 
-    def __eq__(self, other: object) -> Any:
+    def __eq__(self, other: object) -> Number:
         return plain(self) == plain(other)
 
-    def __ne__(self, other: object) -> Any:
+    def __ne__(self, other: object) -> Number:
         return plain(self) != plain(other)
 
     __hash__ = None  # type: ignore[assignment]
@@ -169,14 +169,14 @@ class Dual(OwnNumber):
         return bool(plain(self))
 
 
-def plain(number: Any) -> Any:
+def plain(number: Number) -> Number:
     """A number without slopes of any level; what has none, as it is."""
     while isinstance(number, Dual):
         number = number.value
     return number
 
 
-def highest_level(numbers: Iterable[Any]) -> int:
+def highest_level(numbers: Iterable[Number]) -> int:
     """Highest level among numbers and lists of them; 0 where none has slopes."""
     level = 0
     for number in numbers:
@@ -187,12 +187,12 @@ def highest_level(numbers: Iterable[Any]) -> int:
     return level
 
 
-def value_at(number: Any, level: int) -> Any:
+def value_at(number: Number, level: int) -> Number:
     """A number without its slopes of this level, which is the highest that it has."""
     return number.value if type(number) is Dual and number.level == level else number
 
 
-def constant_at(number: Any, level: int) -> Any:
+def constant_at(number: Number, level: int) -> Number:
     """A number without its slopes of this level, whatever others it has."""
     if type(number) is not Dual or number.level < level:
         return number
@@ -202,12 +202,12 @@ def constant_at(number: Any, level: int) -> Any:
     return Dual(constant_at(number.value, level), slopes, number.level)
 
 
-def slopes_at(number: Any, level: int, count: int) -> Sequence[Any]:
+def slopes_at(number: Number, level: int, count: int) -> Sequence[Number]:
     """Slopes of a number at a level in so many directions; None where it is a constant."""
     return number.slopes if type(number) is Dual and number.level == level else (None,) * count
 
 
-def directions_at(numbers: Iterable[Any], level: int) -> int:
+def directions_at(numbers: Iterable[Number], level: int) -> int:
     """In how many directions numbers have slopes at a level."""
     for number in numbers:
         if type(number) is Dual and number.level == level:
@@ -219,13 +219,13 @@ def directions_at(numbers: Iterable[Any], level: int) -> int:
     return 0
 
 
-def _each(number: Dual, function: Callable[[Any], Any]) -> Dual:
+def _each(number: Dual, function: Callable[[Number], Number]) -> Dual:
     """A linear function of one number."""
     slopes = [None if slope is None else function(slope) for slope in number.slopes]
     return Dual(function(number.value), slopes, number.level)
 
 
-def _pair(one: Any, other: Any) -> tuple[Any, Any, int, Sequence[Any], Sequence[Any]]:
+def _pair(one: Number, other: Number) -> tuple[Number, Number, int, Sequence[Number], Sequence[Number]]:
     """Values of two numbers, their highest level, and their slopes there."""
     of_one = one.level if type(one) is Dual else 0
     of_other = other.level if type(other) is Dual else 0
@@ -236,24 +236,24 @@ def _pair(one: Any, other: Any) -> tuple[Any, Any, int, Sequence[Any], Sequence[
     return one, other.value, of_other, (None,) * len(other.slopes), other.slopes
 
 
-def _added(one: Any, other: Any) -> Any:
+def _added(one: Number, other: Number) -> Number:
     return other if one is None else one if other is None else one + other
 
 
-def _shape(number: Any) -> tuple[int, ...]:
+def _shape(number: Number) -> tuple[int, ...]:
     """Shape of a number; of Python's own ()."""
     shape: tuple[int, ...] = getattr(number, "shape", ())
     return shape
 
 
-def _shaped(slope: Any, shape: tuple[int, ...]) -> Any:
+def _shaped(slope: Number, shape: tuple[int, ...]) -> Number:
     """A slope with the shape of its value, to which other numbers may have been broadcast."""
     if slope is None or _shape(slope) == shape:
         return slope
     return xp.broadcast_to(slope, shape)
 
 
-def _as_broad(number: Dual, value: Any) -> Sequence[Any]:
+def _as_broad(number: Dual, value: Number) -> Sequence[Number]:
     """Slopes of a number to which a constant was added, which may have broadcast it to a value."""
     shape = _shape(value)
     if _shape(number.value) == shape:
@@ -261,7 +261,7 @@ def _as_broad(number: Dual, value: Any) -> Sequence[Any]:
     return [_shaped(slope, shape) for slope in number.slopes]
 
 
-def _sum(one: Any, other: Any) -> Any:
+def _sum(one: Number, other: Number) -> Number:
     a, b, level, first, second = _pair(one, other)
     value = a + b
     shape = _shape(value)
@@ -269,7 +269,7 @@ def _sum(one: Any, other: Any) -> Any:
     return Dual(value, slopes, level)
 
 
-def _product(one: Any, other: Any) -> Any:
+def _product(one: Number, other: Number) -> Number:
     a, b, level, first, second = _pair(one, other)
     slopes = [
         (None if s is None else s * b) if t is None else a * t if s is None else s * b + a * t
@@ -278,7 +278,7 @@ def _product(one: Any, other: Any) -> Any:
     return Dual(a * b, slopes, level)
 
 
-def _quotient(one: Any, other: Any) -> Any:
+def _quotient(one: Number, other: Number) -> Number:
     a, b, level, first, second = _pair(one, other)
     value = a / b
     slopes = [
@@ -288,12 +288,12 @@ def _quotient(one: Any, other: Any) -> Any:
     return Dual(value, slopes, level)
 
 
-def _nothing(value: Any) -> np.ndarray:
+def _nothing(value: Number) -> np.ndarray:
     return np.zeros(_shape(plain(value)))
 
 
 #: Slopes of functions of one number, of the value and the argument.
-_OF_ONE: dict[str, Callable[[Any, Any], Any]] = {
+_OF_ONE: dict[str, Callable[[Number, Number], Number]] = {
     "sqrt": lambda value, x: 0.5 / value,
     "cbrt": lambda value, x: value / (3.0 * x),
     "exp": lambda value, x: value,
@@ -314,7 +314,7 @@ _OF_ONE: dict[str, Callable[[Any, Any], Any]] = {
     "digamma": lambda value, x: special.polygamma(1, _constant(x)),
 }
 #: Slopes of functions of two numbers, of the value and both arguments.
-_OF_TWO: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+_OF_TWO: dict[str, tuple[Callable[..., Number], Callable[..., Number]]] = {
     "power": (lambda v, x, y: y * x ** (y - 1.0), lambda v, x, y: v * xp.log(xp.where(x > 0.0, x, 1.0))),
     "hypot": (lambda v, x, y: x / v, lambda v, x, y: y / v),
     "arctan2": (lambda v, y, x: x / (x * x + y * y), lambda v, y, x: -y / (x * x + y * y)),
@@ -338,20 +338,20 @@ _OF_VALUES = (
 )
 
 
-def _constant(number: Any) -> Any:
+def _constant(number: Number) -> Number:
     """A number without slopes; a slope of what comes of it is not known."""
     if isinstance(number, Dual):
         raise NotImplementedError("derivatives of the gamma function beyond the second are not known here")
     return number
 
 
-def _share(larger: Any, smaller: Any) -> Any:
+def _share(larger: Number, smaller: Number) -> Number:
     """1 where the first number is larger, a half where both are alike."""
     one, other = plain(larger), plain(smaller)
     return xp.where(one > other, 1.0, xp.where(one == other, 0.5, 0.0))
 
 
-def _with_slopes(name: str) -> Callable[..., Any]:
+def _with_slopes(name: str) -> Callable[..., Number]:
     """A function of numbers with slopes."""
     if name in _OWN:
         return _OWN[name]
@@ -366,13 +366,13 @@ def _with_slopes(name: str) -> Callable[..., Any]:
     if name in _BILINEAR:
         return lambda x, y, **options: _bilinear(name, x, y, **options)
 
-    def unknown(*_: Any, **__: Any) -> Any:
+    def unknown(*_: Number, **__: Number) -> Number:
         raise NotImplementedError(f"the slope of {name} is not known to asperity.engine.arrays")
 
     return unknown
 
 
-def _plain_inside(argument: Any) -> Any:
+def _plain_inside(argument: Number) -> Number:
     """An argument without slopes, and so the members of a list."""
     if isinstance(argument, list | tuple):
         return type(argument)(map(_plain_inside, argument))
@@ -385,7 +385,7 @@ def _of_one(name: str, x: Dual) -> Dual:
     return Dual(value, [None if along is None else slope * along for along in x.slopes], x.level)
 
 
-def _of_two(name: str, x: Any, y: Any) -> Dual:
+def _of_two(name: str, x: Number, y: Number) -> Dual:
     a, b, level, first, second = _pair(x, y)
     value = getattr(xp, name)(a, b)
     shape = _shape(value)
@@ -401,19 +401,19 @@ def _of_two(name: str, x: Any, y: Any) -> Dual:
     return Dual(value, slopes, level)
 
 
-def _taken(argument: Any, take: Callable[[Any], Any]) -> Any:
+def _taken(argument: Number, take: Callable[[Number], Number]) -> Number:
     """An argument, or each array in its lists, replaced."""
     if isinstance(argument, list | tuple):
         return [_taken(one, take) for one in argument]
     return take(argument)
 
 
-def _linear(name: str, x: Any, *rest: Any, **options: Any) -> Any:
+def _linear(name: str, x: Number, *rest: Number, **options: Number) -> Number:
     function, level = getattr(xp, name), highest_level([x])
     value = function(_taken(x, lambda one: value_at(one, level)), *rest, **options)
 
-    def along(k: int) -> Any:
-        def slope(one: Any) -> Any:
+    def along(k: int) -> Number:
+        def slope(one: Number) -> Number:
             found = one.slopes[k] if type(one) is Dual and one.level == level else None
             return _nothing(one) if found is None else found
 
@@ -430,7 +430,7 @@ def _linear(name: str, x: Any, *rest: Any, **options: Any) -> Any:
     return Dual(value, slopes, level)
 
 
-def _bilinear(name: str, x: Any, y: Any, **options: Any) -> Dual:
+def _bilinear(name: str, x: Number, y: Number, **options: Number) -> Dual:
     function = getattr(xp, name)
     a, b, level, first, second = _pair(x, y)
     slopes = [
@@ -442,7 +442,7 @@ def _bilinear(name: str, x: Any, y: Any, **options: Any) -> Dual:
     return Dual(function(a, b, **options), slopes, level)
 
 
-def _where(condition: Any, x: Any, y: Any) -> Any:
+def _where(condition: Number, x: Number, y: Number) -> Number:
     condition = plain(condition)
     a, b, level, first, second = _pair(x, y)
     value = xp.where(condition, a, b)
@@ -456,15 +456,15 @@ def _where(condition: Any, x: Any, y: Any) -> Any:
     return Dual(value, slopes, level)
 
 
-def _clip(x: Any, lower: Any = None, upper: Any = None) -> Any:
+def _clip(x: Number, lower: Number = None, upper: Number = None) -> Number:
     above = x if lower is None else xp.maximum(x, lower)
     return above if upper is None else xp.minimum(above, upper)
 
 
-def _extreme(name: str) -> Callable[..., Any]:
+def _extreme(name: str) -> Callable[..., Number]:
     """The largest or the smallest number along axes; numbers alike share its slope, as JAX has it."""
 
-    def extreme(x: Any, axis: Any = None) -> Any:
+    def extreme(x: Number, axis: Number = None) -> Number:
         find = getattr(xp, name)
         alike = xp.where(plain(x) == find(plain(x), axis=axis, keepdims=True), 1.0, 0.0)
         share = alike / xp.sum(alike, axis=axis, keepdims=True)
@@ -474,12 +474,12 @@ def _extreme(name: str) -> Callable[..., Any]:
     return extreme
 
 
-def _broadcast_arrays(*given: Any) -> list[Any]:
+def _broadcast_arrays(*given: Number) -> list[Number]:
     shape = np.broadcast_shapes(*(_shape(plain(one)) for one in given))
     return [xp.broadcast_to(one, shape) for one in given]
 
 
-def _full_like(x: Any, value: Any, **options: Any) -> Any:
+def _full_like(x: Number, value: Number, **options: Number) -> Number:
     return (
         xp.full_like(plain(x), value, **options)
         if type(value) is not Dual
@@ -487,21 +487,21 @@ def _full_like(x: Any, value: Any, **options: Any) -> Any:
     )
 
 
-def _full(shape: Any, value: Any) -> Any:
+def _full(shape: Number, value: Number) -> Number:
     return xp.broadcast_to(value, shape)
 
 
-def _select(conditions: Sequence[Any], choices: Sequence[Any], default: Any = 0.0) -> Any:
+def _select(conditions: Sequence[Number], choices: Sequence[Number], default: Number = 0.0) -> Number:
     for condition, choice in zip(reversed(conditions), reversed(choices), strict=True):
         default = xp.where(condition, choice, default)
     return default
 
 
-def _norm(x: Any, axis: int | None = None) -> Any:
+def _norm(x: Number, axis: int | None = None) -> Number:
     return xp.sqrt(xp.sum(x * x, axis=axis))
 
 
-def _einsum(rule: str, *given: Any) -> Any:
+def _einsum(rule: str, *given: Number) -> Number:
     level = highest_level(given)
     values = [value_at(one, level) for one in given]
     slopes = []
@@ -515,12 +515,12 @@ def _einsum(rule: str, *given: Any) -> Any:
     return Dual(xp.einsum(rule, *values), slopes, level)
 
 
-def _nan_kept(x: Any, y: Any) -> Any:
+def _nan_kept(x: Number, y: Number) -> Number:
     # of numbers alike the second one, as JAX has it
     return xp.where(xp.isnan(plain(y)) | (plain(x) > plain(y)), x, y)
 
 
-def _complex(real: Any, imaginary: Any) -> Any:
+def _complex(real: Number, imaginary: Number) -> Number:
     a, b, level, first, second = _pair(real, imaginary)
     slopes = [
         None if s is None and t is None else complex_number(0.0 if s is None else s, 0.0 if t is None else t)
@@ -542,7 +542,7 @@ def _absolute(x: Dual) -> Dual:
 
 
 def _each_apart(
-    x: Dual, name: str, rest: tuple[Any, ...], options: dict[str, Any], of_slopes: dict[str, float]
+    x: Dual, name: str, rest: tuple[Number, ...], options: dict[str, Number], of_slopes: dict[str, float]
 ) -> Dual:
     """A linear function of a number, and of its slopes without the constants that options add."""
     function = getattr(xp, name)
@@ -551,7 +551,7 @@ def _each_apart(
     return Dual(function(x.value, *rest, **options), slopes, x.level)
 
 
-_OWN: dict[str, Callable[..., Any]] = {
+_OWN: dict[str, Callable[..., Number]] = {
     "where": _where,
     "clip": _clip,
     "max": _extreme("max"),

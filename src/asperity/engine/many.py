@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.lib.array_utils import normalize_axis_index
@@ -16,6 +15,7 @@ from asperity.engine import trees
 from asperity.engine.arrays import OwnNumber, complex_number, uses_jax
 from asperity.engine.arrays import any_xp as xp
 from asperity.engine.dual import Dual
+from asperity.types import Number
 
 
 class Many(OwnNumber):
@@ -24,11 +24,11 @@ class Many(OwnNumber):
     __slots__ = ("values",)
     rank = 1
 
-    def __init__(self, values: Any) -> None:
+    def __init__(self, values: Number) -> None:
         self.values = values
 
     @classmethod
-    def function(cls, name: str) -> Callable[..., Any]:
+    def function(cls, name: str) -> Callable[..., Number]:
         """The function of this name, of each of the arrays."""
         return _of_each(name)
 
@@ -46,28 +46,28 @@ class Many(OwnNumber):
         return math.prod(self.shape)
 
     @property
-    def dtype(self) -> Any:
+    def dtype(self) -> Number:
         return self.values.dtype
 
     @property
-    def T(self) -> Any:  # noqa: N802 - NumPy's name
+    def T(self) -> Number:  # noqa: N802 - NumPy's name
         return Many(self.values.transpose(0, *range(self.values.ndim - 1, 0, -1)))
 
     @property
-    def real(self) -> Any:
+    def real(self) -> Number:
         return Many(self.values.real)
 
     @property
-    def imag(self) -> Any:
+    def imag(self) -> Number:
         return Many(self.values.imag)
 
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Number:
         return (self[i] for i in range(self.shape[0]))
 
-    def __getitem__(self, place: Any) -> Any:
+    def __getitem__(self, place: Number) -> Number:
         parts = place if isinstance(place, tuple) else (place,)
         if any(isinstance(part, Many) and part.dtype == bool for part in parts):
             raise TypeError("conditions of many numbers choose different places of each; use xp.where")
@@ -75,123 +75,123 @@ class Many(OwnNumber):
             return one_by_one(lambda array, *at: array[at], (self, *parts))
         return Many(self.values[(slice(None), *parts)])
 
-    def astype(self, kind: Any) -> Any:
+    def astype(self, kind: Number) -> Number:
         return Many(self.values.astype(kind))
 
-    def reshape(self, *shape: Any) -> Any:
+    def reshape(self, *shape: Number) -> Number:
         given = shape[0] if len(shape) == 1 and isinstance(shape[0], tuple) else shape
         return Many(self.values.reshape(len(self.values), *given))
 
-    def ravel(self) -> Any:
+    def ravel(self) -> Number:
         return self.reshape(-1)
 
-    def sum(self, axis: Any = None) -> Any:
+    def sum(self, axis: Number = None) -> Number:
         return Many(self.values.sum(axis=_axis(self, axis)))
 
-    def mean(self, axis: Any = None) -> Any:
+    def mean(self, axis: Number = None) -> Number:
         return Many(self.values.mean(axis=_axis(self, axis)))
 
-    def max(self, axis: Any = None) -> Any:
+    def max(self, axis: Number = None) -> Number:
         return Many(self.values.max(axis=_axis(self, axis)))
 
-    def min(self, axis: Any = None) -> Any:
+    def min(self, axis: Number = None) -> Number:
         return Many(self.values.min(axis=_axis(self, axis)))
 
-    def all(self, axis: Any = None) -> Any:
+    def all(self, axis: Number = None) -> Number:
         return Many(self.values.all(axis=_axis(self, axis)))
 
-    def any(self, axis: Any = None) -> Any:
+    def any(self, axis: Number = None) -> Number:
         return Many(self.values.any(axis=_axis(self, axis)))
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> Number:
         return Many(-self.values)
 
-    def __pos__(self) -> Any:
+    def __pos__(self) -> Number:
         return self
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> Number:
         return Many(abs(self.values))
 
-    def __invert__(self) -> Any:
+    def __invert__(self) -> Number:
         return Many(~self.values)
 
     def __bool__(self) -> bool:
         raise TypeError("many numbers at once have no truth value; branch with asperity.engine.control.cond")
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Number) -> Number:
         return _operation(np.add, self, other)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Number) -> Number:
         return _operation(np.subtract, self, other)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: Number) -> Number:
         return _operation(np.subtract, other, self)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Number) -> Number:
         return _operation(np.multiply, self, other)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Number) -> Number:
         return _operation(np.divide, self, other)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Number) -> Number:
         return _operation(np.divide, other, self)
 
-    def __pow__(self, other: Any) -> Any:
+    def __pow__(self, other: Number) -> Number:
         return _operation(np.power, self, other)
 
-    def __rpow__(self, other: Any) -> Any:
+    def __rpow__(self, other: Number) -> Number:
         return _operation(np.power, other, self)
 
-    def __and__(self, other: Any) -> Any:
+    def __and__(self, other: Number) -> Number:
         return _operation(np.logical_and, self, other)
 
     __rand__ = __and__
 
-    def __or__(self, other: Any) -> Any:
+    def __or__(self, other: Number) -> Number:
         return _operation(np.logical_or, self, other)
 
     __ror__ = __or__
 
-    def __lt__(self, other: Any) -> Any:
+    def __lt__(self, other: Number) -> Number:
         return _operation(np.less, self, other)
 
-    def __le__(self, other: Any) -> Any:
+    def __le__(self, other: Number) -> Number:
         return _operation(np.less_equal, self, other)
 
-    def __gt__(self, other: Any) -> Any:
+    def __gt__(self, other: Number) -> Number:
         return _operation(np.greater, self, other)
 
-    def __ge__(self, other: Any) -> Any:
+    def __ge__(self, other: Number) -> Number:
         return _operation(np.greater_equal, self, other)
 
-    def __eq__(self, other: object) -> Any:
+    def __eq__(self, other: object) -> Number:
         return _operation(np.equal, self, other)
 
-    def __ne__(self, other: object) -> Any:
+    def __ne__(self, other: object) -> Number:
         return _operation(np.not_equal, self, other)
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __matmul__(self, other: Any) -> Any:
+    def __matmul__(self, other: Number) -> Number:
         return _matmul(self, other)
 
-    def __rmatmul__(self, other: Any) -> Any:
+    def __rmatmul__(self, other: Number) -> Number:
         return _matmul(other, self)
 
 
-def many(modules: Any) -> Any:
+def many(modules: Number) -> Number:
     """Modules of arrays as many modules at once, along the first axis of each array."""
     return trees.map(lambda leaf: Many(np.asarray(leaf)), modules)
 
 
-def together(module: Any, count: int, axis: int = 0) -> Any:
+def together(module: Number, count: int, axis: int = 0) -> Number:
     """The arrays of many modules, stacked along an axis; what is the same for all is repeated."""
 
-    def stacked(leaf: Any) -> Any:
+    def stacked(leaf: Number) -> Number:
         if isinstance(leaf, Dual):
             slopes = [None if slope is None else stacked(slope) for slope in leaf.slopes]
             return Dual(stacked(leaf.value), slopes, leaf.level)
@@ -200,19 +200,19 @@ def together(module: Any, count: int, axis: int = 0) -> Any:
     return trees.map(stacked, module)
 
 
-def chosen(conditions: Many, yes: Any, no: Any) -> Any:
+def chosen(conditions: Many, yes: Number, no: Number) -> Number:
     """One of two modules for each condition."""
     return trees.map(lambda one, other: xp.where(conditions, one, other), yes, no)
 
 
-def _values(number: Any, count: int) -> Any:
+def _values(number: Number, count: int) -> Number:
     """Values of many numbers; of one as often as there are many."""
     if isinstance(number, Many):
         return number.values
     return np.broadcast_to(np.asarray(number), (count, *np.shape(number)))
 
 
-def _ndim(number: Any) -> int:
+def _ndim(number: Number) -> int:
     if type(number) is Many:
         return number.values.ndim - 1
     return (
@@ -220,7 +220,7 @@ def _ndim(number: Any) -> int:
     )
 
 
-def aligned(number: Any, ndim: int) -> Any:
+def aligned(number: Number, ndim: int) -> Number:
     """Values with axes of length 1 after the first, so that the others stand under those of arrays of more axes."""
     if not isinstance(number, Many):
         return number
@@ -233,7 +233,7 @@ def aligned(number: Any, ndim: int) -> Any:
 _SCALARS = frozenset({float, int, bool, np.float64, np.int64, np.bool_})
 
 
-def _operation(function: Callable[..., Any], one: Any, other: Any) -> Any:
+def _operation(function: Callable[..., Number], one: Number, other: Number) -> Number:
     """An elementwise function of two numbers, at least one of them many."""
     kind, other_kind = type(one), type(other)
     if kind is Many:
@@ -251,7 +251,7 @@ def _operation(function: Callable[..., Any], one: Any, other: Any) -> Any:
     return Many(function(aligned(one, ndim), aligned(other, ndim)))
 
 
-def _count(given: Any) -> int:
+def _count(given: Number) -> int:
     """How many numbers there are in arguments."""
     for argument in given:
         if isinstance(argument, Many):
@@ -263,7 +263,7 @@ def _count(given: Any) -> int:
     return 0
 
 
-def _axis(number: Any, axis: Any) -> Any:
+def _axis(number: Number, axis: Number) -> Number:
     """An axis of the values for one of the numbers."""
     if axis is None:
         return tuple(range(1, number.values.ndim))
@@ -272,7 +272,7 @@ def _axis(number: Any, axis: Any) -> Any:
     return 1 + normalize_axis_index(axis, number.values.ndim - 1)
 
 
-def _is_apart(parts: tuple[Any, ...]) -> bool:
+def _is_apart(parts: tuple[Number, ...]) -> bool:
     """Whether arrays of places, and numbers beside them, stand apart: NumPy puts their axes first then."""
     if not any(isinstance(part, np.ndarray | list) for part in parts):
         return False
@@ -280,11 +280,11 @@ def _is_apart(parts: tuple[Any, ...]) -> bool:
     return chosen_by[-1] - chosen_by[0] >= len(chosen_by)
 
 
-def _of_each(name: str) -> Callable[..., Any]:
+def _of_each(name: str) -> Callable[..., Number]:
     """A function of many numbers."""
     if name in _OWN:
         return _OWN[name]
-    function: Any = getattr(np, name, None)
+    function: Number = getattr(np, name, None)
     if isinstance(function, np.ufunc) or name in ("where", "isreal"):
         return lambda *given: _elementwise(function, given)
     if name in ("sum", "mean", "max", "min", "any", "all", "prod"):
@@ -292,7 +292,7 @@ def _of_each(name: str) -> Callable[..., Any]:
     return lambda *given, **options: one_by_one(_function(name), given, options)
 
 
-def _function(name: str) -> Callable[..., Any]:
+def _function(name: str) -> Callable[..., Number]:
     """A function by its name, of NumPy, of its linear algebra, or of SciPy."""
     for place in (np, np.linalg):
         if hasattr(place, name):
@@ -302,7 +302,7 @@ def _function(name: str) -> Callable[..., Any]:
     return getattr(special, name)
 
 
-def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
+def _elementwise(function: Number, given: tuple[Number, ...]) -> Number:
     if len(given) == 2:
         return _operation(function, *given)
     ndim = 0
@@ -312,13 +312,13 @@ def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
 
 
 def one_by_one(
-    function: Callable[..., Any], given: tuple[Any, ...], options: dict[str, Any] | None = None
-) -> Any:
+    function: Callable[..., Number], given: tuple[Number, ...], options: dict[str, Number] | None = None
+) -> Number:
     """A function of arguments of which some are many numbers: one call for each of them."""
     options = options or {}
     count = _count((*given, *options.values()))
 
-    def entry(argument: Any, i: int) -> Any:
+    def entry(argument: Number, i: int) -> Number:
         if isinstance(argument, list | tuple):
             return type(argument)([entry(one, i) for one in argument])
         return argument.values[i] if isinstance(argument, Many) else argument
@@ -334,10 +334,10 @@ def one_by_one(
     return Many(np.stack(results))
 
 
-def _joined(name: str) -> Callable[..., Any]:
+def _joined(name: str) -> Callable[..., Number]:
     """``stack`` or ``concatenate`` along an axis."""
 
-    def joined(given: Any, axis: int = 0) -> Many:
+    def joined(given: Number, axis: int = 0) -> Many:
         count = _count(given)
         values = [_values(one, count) for one in given]
         axes = values[0].ndim - (name == "concatenate")
@@ -352,7 +352,7 @@ def _cumsum(x: Many, axis: int | None = None) -> Many:
     return Many(np.cumsum(x.values, axis=_axis(x, axis)))
 
 
-def _extreme_place(name: str) -> Callable[..., Any]:
+def _extreme_place(name: str) -> Callable[..., Number]:
     def place(x: Many, axis: int | None = None) -> Many:
         if axis is None:
             return Many(getattr(np, name)(x.values.reshape(len(x.values), -1), axis=1))
@@ -361,17 +361,17 @@ def _extreme_place(name: str) -> Callable[..., Any]:
     return place
 
 
-def _broadcast_to(x: Many, shape: Any) -> Many:
+def _broadcast_to(x: Many, shape: Number) -> Many:
     given = (shape,) if isinstance(shape, int) else tuple(shape)
     return Many(np.broadcast_to(aligned(x, len(given)), (len(x.values), *given)))
 
 
-def _broadcast_arrays(*given: Any) -> list[Any]:
+def _broadcast_arrays(*given: Number) -> list[Number]:
     shape = np.broadcast_shapes(*(getattr(one, "shape", np.shape(one)) for one in given))
     return [xp.broadcast_to(one, shape) for one in given]
 
 
-def _matmul(one: Any, other: Any) -> Any:
+def _matmul(one: Number, other: Number) -> Number:
     row, column = _ndim(one) == 1, _ndim(other) == 1
     if not (_ndim(one) and _ndim(other)):
         raise ValueError("matmul: a number without axes is no matrix")
@@ -386,7 +386,7 @@ def _matmul(one: Any, other: Any) -> Any:
     return Many(product)
 
 
-def _block(rows: Any) -> Any:
+def _block(rows: Number) -> Number:
     nested = all(isinstance(row, list | tuple) for row in rows)
     if not nested or any(isinstance(each, list | tuple) or _ndim(each) != 2 for row in rows for each in row):
         return one_by_one(np.block, (rows,))
@@ -394,13 +394,13 @@ def _block(rows: Any) -> Any:
     return xp.concatenate(whole, axis=-2)
 
 
-def _asarray(given: Any, dtype: Any = None) -> Any:
+def _asarray(given: Number, dtype: Number = None) -> Number:
     if isinstance(given, list | tuple):
         return xp.stack([xp.asarray(one) for one in given])
     return given if dtype is None else given.astype(dtype)
 
 
-def _diag(x: Many) -> Any:
+def _diag(x: Many) -> Number:
     if x.ndim == 1:
         places = np.arange(x.shape[0])
         matrices = np.zeros((len(x.values), *x.shape * 2), dtype=x.dtype)
@@ -409,22 +409,22 @@ def _diag(x: Many) -> Any:
     return Many(np.diagonal(x.values, axis1=1, axis2=2))
 
 
-def _solve(matrix: Any, right_side: Any) -> Any:
+def _solve(matrix: Number, right_side: Number) -> Number:
     if _ndim(matrix) != 2 or _ndim(right_side) != 1:
         return one_by_one(np.linalg.solve, (matrix, right_side))
     count = _count((matrix, right_side))
     return Many(np.linalg.solve(_values(matrix, count), _values(right_side, count)[..., None])[..., 0])
 
 
-def _reshape(x: Many, shape: Any) -> Any:
+def _reshape(x: Many, shape: Number) -> Number:
     return x.reshape(*((shape,) if isinstance(shape, int) else shape))
 
 
-def _split(x: Many, places: Any, axis: int = 0) -> list[Many]:
+def _split(x: Many, places: Number, axis: int = 0) -> list[Many]:
     return [Many(part) for part in np.split(x.values, places, axis=_axis(x, axis))]
 
 
-def _take_along_axis(x: Any, place: Any, axis: int) -> Many:
+def _take_along_axis(x: Number, place: Number, axis: int) -> Many:
     count = _count((x, place))
     return Many(
         np.take_along_axis(
@@ -433,28 +433,28 @@ def _take_along_axis(x: Any, place: Any, axis: int) -> Many:
     )
 
 
-def _clip(x: Any, lower: Any = None, upper: Any = None) -> Any:
+def _clip(x: Number, lower: Number = None, upper: Number = None) -> Number:
     above = x if lower is None else xp.maximum(x, lower)
     return above if upper is None else xp.minimum(above, upper)
 
 
-def _like(fill: float) -> Callable[..., Any]:
-    def like(x: Many, dtype: Any = None) -> np.ndarray:
+def _like(fill: float) -> Callable[..., Number]:
+    def like(x: Many, dtype: Number = None) -> np.ndarray:
         return np.full(x.shape, fill, dtype=x.dtype if dtype is None else dtype)
 
     return like
 
 
-def _full_like(x: Any, value: Any, dtype: Any = None) -> Any:
+def _full_like(x: Number, value: Number, dtype: Number = None) -> Number:
     return xp.broadcast_to(xp.asarray(value, dtype=x.dtype if dtype is None else dtype), x.shape)
 
 
-def _pad(x: Many, widths: Any, **options: Any) -> Many:
+def _pad(x: Many, widths: Number, **options: Number) -> Many:
     each = np.broadcast_to(np.asarray(widths), (x.ndim, 2))
     return Many(np.pad(x.values, ((0, 0), *map(tuple, each)), **options))
 
 
-def _repeat(x: Many, times: Any, axis: int | None = None) -> Many:
+def _repeat(x: Many, times: Number, axis: int | None = None) -> Many:
     if axis is None:
         return Many(np.repeat(x.values.reshape(len(x.values), -1), times, axis=1))
     return Many(np.repeat(x.values, times, axis=_axis(x, axis)))
@@ -464,18 +464,18 @@ def _expand_dims(x: Many, axis: int) -> Many:
     return Many(np.expand_dims(x.values, 1 + normalize_axis_index(axis, x.values.ndim)))
 
 
-def _norm(x: Many, axis: int | None = None) -> Any:
+def _norm(x: Many, axis: int | None = None) -> Number:
     return xp.sqrt(xp.sum(x * x, axis=axis))
 
 
-def _take(table: Any, place: Any, axis: int, mode: str) -> Any:
+def _take(table: Number, place: Number, axis: int, mode: str) -> Number:
     if isinstance(table, Many) or axis != 0:
         return one_by_one(np.take, (table, place), {"axis": axis, "mode": mode})
-    found: Any = np.take
+    found: Number = np.take
     return Many(found(table, place.values, axis=0, mode=mode))
 
 
-_OWN: dict[str, Callable[..., Any]] = {
+_OWN: dict[str, Callable[..., Number]] = {
     "stack": _joined("stack"),
     "concatenate": _joined("concatenate"),
     "argmax": _extreme_place("argmax"),

@@ -6,18 +6,18 @@ A leaf is whatever is no :class:`Module`, tuple, list, dictionary or None.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from asperity.engine.module import Module
+from asperity.types import Tree
 
 
-def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:
+def map(function: Callable[..., Tree], tree: Tree, *others: Tree) -> Tree:
     """A function of every leaf, and of those of other trees with the same structure; in a tree of this structure."""
     kind = type(tree)
     if tree is None:
         return None
     if isinstance(tree, Module):
-        made: Any = object.__new__(kind)
+        made: Tree = object.__new__(kind)
         fields = made.__dict__
         for name in kind.static_fields:
             fields[name] = getattr(tree, name)
@@ -35,14 +35,14 @@ def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:
     return function(tree, *others)
 
 
-def leaves(tree: Any) -> list[Any]:
+def leaves(tree: Tree) -> list[Tree]:
     """All leaves, those of a dictionary in the order of its sorted keys."""
-    found: list[Any] = []
+    found: list[Tree] = []
     _collect(tree, found)
     return found
 
 
-def _collect(tree: Any, found: list[Any]) -> None:
+def _collect(tree: Tree, found: list[Tree]) -> None:
     if tree is None:
         return
     if isinstance(tree, Module):
