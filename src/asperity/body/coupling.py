@@ -15,6 +15,7 @@ different contacts of a body.
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
 from collections.abc import Sequence
@@ -42,6 +43,9 @@ from asperity.engine.module import Module, static
 from asperity.errors import InputError
 from asperity.materials import shear_modulus
 from asperity.types import Array, Real
+
+#: The kernels in the order of a :class:`RimKernel`.
+_RADIAL, _TANGENTIAL, _COUPLING = range(3)
 
 
 class BodyInMachine(Module):
@@ -149,56 +153,99 @@ def coupled_compliance(
     Equation (E3) of :doc:`/equations`.
     """
     rank, count = half_widths.ndim - 1, half_widths.shape[0]
-    places, body_count = _places(bodies), len(bodies)
-    numbers = _numbers(bodies, rank)
+    places, numbers = _places(bodies), _numbers(bodies, rank)
     if kernel is None:
         kernel = _kernel(bodies, places, numbers, rank)
-
-    # contacts on themselves, normal and tangential, then pairs: both normal, both tangential, and mixed
-    widths = xp.concatenate([half_widths, stick_half_widths])
-    one, two = places.contacts
-    springs, contact_body = (
-        np.concatenate([places.contact_number, places.contact_number + count]),
-        np.tile(places.contact_body, 2),
-    )
-    pair = np.arange(body_count, places.body.size)
-    left = np.concatenate([springs, one, one + count, one, two])
-    right = np.concatenate([springs, two, two + count, two + count, one + count])
-    radial, tangential, coupling = (kind * places.body.size for kind in range(3))
-    entry = np.concatenate(
-        [
-            places.contact_body,
-            places.contact_body + tangential,
-            *(pair + kind for kind in (radial, tangential, coupling, coupling)),
-        ]
-    )
-    sign = np.ones(entry.size)
-    sign[springs.size + 2 * pair.size : springs.size + 3 * pair.size] = -1.0
-    body = np.concatenate([contact_body, np.tile(places.body[pair], 4)])
-    squares = widths**2
-    per_radius = numbers.inverse_square[body]
-    smooth = (sign.reshape((-1,) + (1,) * rank) * numbers.scale[body]) * weighted_mean(
-        xp.concatenate(kernel, axis=1)[:, entry], squares[left] * per_radius, squares[right] * per_radius
-    )
-    self_plus, self_minus = self_sums(widths[springs] * xp.sqrt(per_radius[: springs.size]))
+    own, mutual = _own_entries(places, count), _mutual_entries(places, count)
+    widths = xp.concatenate([half_widths, stick_half_widths])  # of each spring
     lengths = xp.broadcast_to(contact_lengths, (count, *xp.shape(contact_lengths)[1:]))
-    pressed = (numbers.plus[contact_body] * self_plus + numbers.minus[contact_body] * self_minus) * (
-        numbers.local_scale[contact_body] / lengths[np.tile(places.contact_number, 2)]
-    )
-    smooth_self, mutual = smooth[: springs.size], smooth[springs.size :]
-    diagonal = xp.tensordot(np.eye(2 * count)[:, springs], smooth_self + pressed, axes=1)
+    around = _smooth(kernel, own.joined(mutual), numbers, widths)
+    by_itself = around[: own.row.size] + _under_its_own_force(own, numbers, widths, lengths)
+    compliance = _matrix(2 * count, (own, by_itself), (mutual, around[own.row.size :]))
+    return xp.where(_too_wide(bodies, half_widths), xp.nan, compliance)
 
-    shape = xp.broadcast_shapes(diagonal.shape[1:], mutual.shape[1:])
-    entries = xp.concatenate(
-        [xp.broadcast_to(part, (part.shape[0], *shape)) for part in (diagonal, mutual, xp.zeros((1, *shape)))]
+
+class _Entries(NamedTuple):
+    """Where a body moves one spring (the row) under the force of another (the column), and by which kernel.
+
+    The springs are numbered as the matrix: the normal ones of all contacts, then the tangential ones. The kernels are
+    numbered as those of :class:`RimKernel`; an entry takes its kernel at its place, with its sign.
+    """
+
+    row: np.ndarray
+    column: np.ndarray
+    body: np.ndarray
+    place: np.ndarray
+    kernel: np.ndarray
+    sign: np.ndarray
+
+    def joined(self, others: _Entries) -> _Entries:
+        """These entries, then others."""
+        return _Entries(*(np.concatenate(both) for both in zip(self, others, strict=True)))
+
+
+def _block(
+    *, row: np.ndarray, column: np.ndarray, places: _Places, at: np.ndarray, kernel: int, sign: float = 1.0
+) -> _Entries:
+    """Entries by one kernel at the places ``at``."""
+    return _Entries(row, column, places.body[at], at, np.full(at.size, kernel), np.full(at.size, sign))
+
+
+def _own_entries(places: _Places, count: int) -> _Entries:
+    """Of each contact of each body: its normal spring under its own force, then its tangential one."""
+    normal = places.contact_number
+    tangential = normal + count
+    at = places.contact_body  # the first places are the bodies, for a contact on itself
+    return _block(row=normal, column=normal, places=places, at=at, kernel=_RADIAL).joined(
+        _block(row=tangential, column=tangential, places=places, at=at, kernel=_TANGENTIAL)
     )
-    where = np.full((2 * count, 2 * count), entries.shape[0] - 1)
-    where[range(2 * count), range(2 * count)] = range(2 * count)
-    at = 2 * count + np.arange(mutual.shape[0])
-    where[left[springs.size :], right[springs.size :]] = where[
-        right[springs.size :], left[springs.size :]
-    ] = at
-    return xp.where(_too_wide(bodies, half_widths), xp.nan, entries[where])
+
+
+def _mutual_entries(places: _Places, count: int) -> _Entries:
+    """Of each pair of contacts of a body: both normal springs, both tangential ones, and one of each."""
+    one, two = places.contacts
+    at = np.arange(places.body.size - one.size, places.body.size)
+    blocks = (
+        _block(row=one, column=two, places=places, at=at, kernel=_RADIAL),
+        _block(row=one + count, column=two + count, places=places, at=at, kernel=_TANGENTIAL),
+        # odd in the angle from the second contact to the first one: the other sign where the first one moves
+        _block(row=one, column=two + count, places=places, at=at, kernel=_COUPLING, sign=-1.0),
+        _block(row=two, column=one + count, places=places, at=at, kernel=_COUPLING),
+    )
+    return functools.reduce(_Entries.joined, blocks)
+
+
+def _smooth(kernel: RimKernel, entries: _Entries, numbers: _Numbers, widths: Array) -> Array:
+    """Compliance of entries by their kernels, the pressures of both contacts spread, shape (entries, ...) [m/N]."""
+    at_places = xp.concatenate(kernel, axis=1)[:, entries.kernel * kernel[0].shape[1] + entries.place]
+    squares, per_radius = widths**2, numbers.inverse_square[entries.body]
+    sign = entries.sign.reshape((-1,) + (1,) * (widths.ndim - 1))
+    return (numbers.scale[entries.body] * sign) * weighted_mean(
+        at_places, squares[entries.row] * per_radius, squares[entries.column] * per_radius
+    )
+
+
+def _under_its_own_force(own: _Entries, numbers: _Numbers, widths: Array, lengths: Array) -> Array:
+    """What disc or hole add below a contact, which is as long as the contact, shape (entries, ...) [m/N]."""
+    plus, minus = self_sums(widths[own.row] * xp.sqrt(numbers.inverse_square[own.body]))
+    contact = own.row % lengths.shape[0]
+    return (numbers.plus[own.body] * plus + numbers.minus[own.body] * minus) * (
+        numbers.local_scale[own.body] / lengths[contact]
+    )
+
+
+def _matrix(size: int, own: tuple[_Entries, Array], mutual: tuple[_Entries, Array]) -> Array:
+    """The symmetric matrix of entries and their values, shape (size, size, ...): both bodies of a contact add up."""
+    (on_itself, by_itself), (between, by_others) = own, mutual
+    diagonal = xp.tensordot(np.eye(size)[:, on_itself.row], by_itself, axes=1)
+    shape = xp.broadcast_shapes(diagonal.shape[1:], by_others.shape[1:])
+    parts = (diagonal, by_others, xp.zeros((1, *shape)))
+    values = xp.concatenate([xp.broadcast_to(part, (part.shape[0], *shape)) for part in parts])
+    number = np.full((size, size), values.shape[0] - 1)  # of each entry's value: no body, 0
+    np.fill_diagonal(number, np.arange(size))
+    at = size + np.arange(between.row.size)
+    number[between.row, between.column] = number[between.column, between.row] = at
+    return values[number]
 
 
 class _Numbers(NamedTuple):
