@@ -108,30 +108,8 @@ def fractal_fit(
     An ``InputError`` if an argument is out of range; a ``NoSolutionError`` if there is no power law over at least one
     decade, or scratches or spikes bend it; the message says why.
     """
-    if estimator not in ESTIMATORS:
-        raise InputError(f"there is no estimator '{estimator}'; known: {', '.join(ESTIMATORS)}")
-    if not (frequency_ratio > 1.0 and math.isfinite(frequency_ratio)):
-        raise InputError(f"the frequency ratio gamma is {frequency_ratio}; it must be above 1")
-    limits = (shortest_wavelength, longest_wavelength)
-    if any(limit is not None and not (limit > 0.0 and math.isfinite(limit)) for limit in limits):
-        raise InputError(f"the limits of the band are {limits} m; a wavelength must be a positive length")
-    if None not in limits and not shortest_wavelength < longest_wavelength:  # type: ignore[operator]
-        raise InputError(
-            f"the shortest wavelength, {shortest_wavelength} m, must be below the longest, {longest_wavelength} m"
-        )
-    if profiles.ndim != 2 or profiles.shape[1] < 64:
-        raise NoSolutionError(
-            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are needed"
-        )
-    with np.errstate(over="ignore"):
-        span = float(np.ptp(profiles))
-    if span > LARGEST_SPAN:
-        raise InputError(f"the heights span {span:.3g} m, which is too large; check their unit")
-    if span < 1.0 / LARGEST_SPAN:
-        raise NoSolutionError("all heights are equal: there is no roughness to measure")
-    blocks = (profiles[start : start + 64] for start in range(0, profiles.shape[0], 64))
-    if all(float(np.ptp(without_line(block))) <= _ROUNDING * span for block in blocks):
-        raise NoSolutionError("all heights lie on a straight line: there is no roughness to measure")
+    _refuse_arguments(estimator, frequency_ratio, shortest_wavelength, longest_wavelength)
+    _refuse_no_roughness(profiles)
     if estimator in ("automatic", "lines"):
         lines = _from_lines(profiles, spacing, frequency_ratio)
         if lines is not None:
@@ -162,6 +140,68 @@ def fractal_fit(
     if search.fit is None:
         raise _refusal(search.reason, step)
     fit = search.fit
+    _refuse_scratches(profiles, spacing, fit, rows_of_a_map)
+    common = {
+        "frequency_ratio": frequency_ratio,
+        "profiles": profiles.shape[0],
+        "points": profiles.shape[1],
+        "noise_density": max(fit.floor if fit.floor > CERTAIN * fit.floor_error else 0.0, noise),
+        "roll_off_wavelength": fit.roll_off_wavelength,
+        "height_step": step,
+        "misfit": fit.misfit,
+        "reduced_chi_square": fit.chi_square / fit.degrees,
+    }
+    result = _estimated(profiles, spacing, estimator, fit, rows_of_a_map, common)
+    D, reach = result.fractal_dimension, CERTAIN * math.sqrt(result.covariance[0, 0])
+    if not (D - reach > 1.0 and D + reach < 2.0):
+        raise _refusal(
+            f"the 95 % interval of D, {D:.3f} ± {reach:.3f}, is not inside the range 1 to 2 of a fractal profile",
+            step,
+        )
+    return result
+
+
+def _refuse_arguments(
+    estimator: str,
+    frequency_ratio: float,
+    shortest_wavelength: float | None,
+    longest_wavelength: float | None,
+) -> None:
+    """Refuse an estimator that does not exist, and numbers out of range."""
+    if estimator not in ESTIMATORS:
+        raise InputError(f"there is no estimator '{estimator}'; known: {', '.join(ESTIMATORS)}")
+    if not (frequency_ratio > 1.0 and math.isfinite(frequency_ratio)):
+        raise InputError(f"the frequency ratio gamma is {frequency_ratio}; it must be above 1")
+    limits = (shortest_wavelength, longest_wavelength)
+    if any(limit is not None and not (limit > 0.0 and math.isfinite(limit)) for limit in limits):
+        raise InputError(f"the limits of the band are {limits} m; a wavelength must be a positive length")
+    if None not in limits and not shortest_wavelength < longest_wavelength:  # type: ignore[operator]
+        raise InputError(
+            f"the shortest wavelength, {shortest_wavelength} m, must be below the longest, {longest_wavelength} m"
+        )
+
+
+def _refuse_no_roughness(profiles: NDArray[np.float64]) -> None:
+    """Refuse profiles that are too short, and heights without roughness or in a wrong unit."""
+    if profiles.ndim != 2 or profiles.shape[1] < 64:
+        raise NoSolutionError(
+            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are needed"
+        )
+    with np.errstate(over="ignore"):
+        span = float(np.ptp(profiles))
+    if span > LARGEST_SPAN:
+        raise InputError(f"the heights span {span:.3g} m, which is too large; check their unit")
+    if span < 1.0 / LARGEST_SPAN:
+        raise NoSolutionError("all heights are equal: there is no roughness to measure")
+    blocks = (profiles[start : start + 64] for start in range(0, profiles.shape[0], 64))
+    if all(float(np.ptp(without_line(block))) <= _ROUNDING * span for block in blocks):
+        raise NoSolutionError("all heights lie on a straight line: there is no roughness to measure")
+
+
+def _refuse_scratches(
+    profiles: NDArray[np.float64], spacing: float, fit: SpectralFit, rows_of_a_map: bool
+) -> None:
+    """Refuse heights with scratches or spikes within the band of the fit."""
     low, high = fit.usable_band
     blemish = scratches(
         profiles=profiles,
@@ -175,20 +215,21 @@ def fractal_fit(
             f"no D and G, because the heights are not normally distributed: {blemish}; measure another section, or "
             "begin the band at longer waves"
         )
-    common = {
-        "frequency_ratio": frequency_ratio,
-        "profiles": profiles.shape[0],
-        "points": profiles.shape[1],
-        "noise_density": max(fit.floor if fit.floor > CERTAIN * fit.floor_error else 0.0, noise),
-        "roll_off_wavelength": fit.roll_off_wavelength,
-        "height_step": step,
-        "misfit": fit.misfit,
-        "reduced_chi_square": fit.chi_square / fit.degrees,
-    }
+
+
+def _estimated(
+    profiles: NDArray[np.float64],
+    spacing: float,
+    estimator: str,
+    fit: SpectralFit,
+    rows_of_a_map: bool,
+    common: dict,
+) -> FractalFit:
+    """D and G by an estimator, in the band of the likelihood fit; what all have in common is known."""
     if estimator == "structure_function":
         line = structure_line(profiles=profiles, spacing=spacing, fit=fit)
-        result = FractalFit(estimator=estimator, **vars(line), **common)
-    elif estimator == "power_spectrum":
+        return FractalFit(estimator=estimator, **vars(line), **common)
+    if estimator == "power_spectrum":
         hann = binned_spectrum(
             profiles=profiles,
             spacing=spacing,
@@ -196,16 +237,8 @@ def fractal_fit(
             bins_per_decade=_BINS_PER_DECADE,
             rows_of_a_map=rows_of_a_map,
         )
-        result = _result(*_straight_line(hann, fit), fit, estimator, common)
-    else:
-        result = _result(fit.fractal_dimension, fit.log_level, fit.covariance, fit, "likelihood", common)
-    D, reach = result.fractal_dimension, CERTAIN * math.sqrt(result.covariance[0, 0])
-    if not (D - reach > 1.0 and D + reach < 2.0):
-        raise _refusal(
-            f"the 95 % interval of D, {D:.3f} ± {reach:.3f}, is not inside the range 1 to 2 of a fractal profile",
-            step,
-        )
-    return result
+        return _result(*_straight_line(hann, fit), fit, estimator, common)
+    return _result(fit.fractal_dimension, fit.log_level, fit.covariance, fit, "likelihood", common)
 
 
 def _refusal(reason: str, step: float | None) -> NoSolutionError:

@@ -147,35 +147,74 @@ def _lame(material: Material, radius: float) -> np.ndarray:
     return np.array([[even, -uneven], [even, uneven], [radius, 1.0 / radius]])
 
 
+_BORE, _SEAT, _OUTER, _INTERFERENCE = 50e-3, 58e-3, 100e-3, 40e-6
+#: Thermal expansion of the ring, of the housing, and of the ring beyond that of its rollers [1/K].
+_RING_EXPANSION, _HOUSING_EXPANSION, _BEYOND_ROLLERS = 12.6e-6, 23.6e-6, 11.5e-6
+
+
 def fits() -> Iterator[Check]:
-    """A steel ring pressed into an aluminium housing, and what temperature does to both."""
-    bore, seat, outer, interference = 50e-3, 58e-3, 100e-3, 40e-6
+    """A steel ring pressed into an aluminium housing."""
     none = xp.zeros(2)
     rows = np.array(
         [
-            [*_lame(_STEEL, bore)[0], *none],
-            [*none, *_lame(_ALUMINIUM, outer)[0]],
-            [*_lame(_STEEL, seat)[0], *-_lame(_ALUMINIUM, seat)[0]],
-            [*-_lame(_STEEL, seat)[2] * 1e9, *_lame(_ALUMINIUM, seat)[2] * 1e9],
+            [*_lame(_STEEL, _BORE)[0], *none],
+            [*none, *_lame(_ALUMINIUM, _OUTER)[0]],
+            [*_lame(_STEEL, _SEAT)[0], *-_lame(_ALUMINIUM, _SEAT)[0]],
+            [*-_lame(_STEEL, _SEAT)[2] * 1e9, *_lame(_ALUMINIUM, _SEAT)[2] * 1e9],
         ]
     )
-    ring, housing = np.linalg.solve(rows, [0.0, 0.0, 0.0, 0.5e9 * interference]).reshape(2, 2)
-    drive = planetary_drive(sun_radius=10e-3, planet_radius=15e-3, planet_count=3)
+    ring, housing = np.linalg.solve(rows, [0.0, 0.0, 0.0, 0.5e9 * _INTERFERENCE]).reshape(2, 2)
 
-    def found(interference: Array, rise: Array) -> tuple[PressFit, Real, Real]:
-        fit = press_fit(
+    def found(interference: Array) -> PressFit:
+        return press_fit(
             ring=_STEEL,
             housing=_ALUMINIUM,
-            bore_radius=bore,
-            seat_radius=seat,
-            outer_radius=outer,
+            bore_radius=_BORE,
+            seat_radius=_SEAT,
+            outer_radius=_OUTER,
             interference=interference,
         )
+
+    fit = at_once(found, _INTERFERENCE)
+    check = functools.partial(
+        compared,
+        model="Press fit of a ring in its housing",
+        reference="Lamé's fields of both, fitted to each other: steel 50/58 mm in aluminium 58/100 mm, 40 µm",
+        tolerance=1e-9,
+    )
+    yield check(
+        quantity="pressure; hoop stress of the ring at bore and seat, and of the housing at its bore",
+        unit="MPa",
+        expected=1e-6
+        * np.array(
+            [
+                -_lame(_STEEL, _SEAT)[0] @ ring,
+                _lame(_STEEL, _BORE)[1] @ ring,
+                _lame(_STEEL, _SEAT)[1] @ ring,
+                _lame(_ALUMINIUM, _SEAT)[1] @ housing,
+            ]
+        ),
+        computed=1e-6 * np.array([fit.pressure, *fit.ring_hoop, fit.housing_hoop]),
+    )
+    yield check(
+        quantity="narrowing of the bore",
+        unit="µm",
+        expected=-2e6 * _lame(_STEEL, _BORE)[2] @ ring,
+        computed=1e6 * fit.bore_change,
+    )
+    yield from _expansions()
+
+
+def _expansions() -> Iterator[Check]:
+    """What temperature does to a ring in its housing, and to the interference of its rollers."""
+    drive = planetary_drive(sun_radius=10e-3, planet_radius=15e-3, planet_count=3)
+
+    def found(rise: Array) -> tuple[Real, Real]:
         widening = ring_expansion(
-            ring=12.6e-6,
-            housing=23.6e-6,
-            inner_radius=bore,
-            wall_thickness=seat - bore,
+            ring=_RING_EXPANSION,
+            housing=_HOUSING_EXPANSION,
+            inner_radius=_BORE,
+            wall_thickness=_SEAT - _BORE,
             youngs_modulus=206e9,
             poisson_ratio=0.3,
             housing_stiffness=math.inf,
@@ -183,59 +222,30 @@ def fits() -> Iterator[Check]:
         )
         # the ring grows by more than the rollers, of whichever material they are
         none = xp.zeros(2)
-        strains = none, xp.stack([0.0 * rise, 11.5e-6 * rise])
+        strains = none, xp.stack([0.0 * rise, _BEYOND_ROLLERS * rise])
         change = interference_of_strains(drive=drive, strains=strains, carrier=none[0])
-        return fit, widening, ring_interference(drive=drive, forces=xp.ones(2), interference=change)
+        return widening, ring_interference(drive=drive, forces=xp.ones(2), interference=change)
 
-    fit, widening, loosening = at_once(found, interference, 20.0)
-    by_lame = "Lamé's fields of both, fitted to each other: steel 50/58 mm in aluminium 58/100 mm, 40 µm"
-    yield compared(
-        model="Press fit of a ring in its housing",
-        reference=by_lame,
-        quantity="pressure; hoop stress of the ring at bore and seat, and of the housing at its bore",
-        unit="MPa",
-        expected=1e-6
-        * np.array(
-            [
-                -_lame(_STEEL, seat)[0] @ ring,
-                _lame(_STEEL, bore)[1] @ ring,
-                _lame(_STEEL, seat)[1] @ ring,
-                _lame(_ALUMINIUM, seat)[1] @ housing,
-            ]
-        ),
-        computed=1e-6 * np.array([fit.pressure, *fit.ring_hoop, fit.housing_hoop]),
-        tolerance=1e-9,
-    )
-    yield compared(
-        model="Press fit of a ring in its housing",
-        reference=by_lame,
-        quantity="narrowing of the bore",
-        unit="µm",
-        expected=-2e6 * _lame(_STEEL, bore)[2] @ ring,
-        computed=1e6 * fit.bore_change,
-        tolerance=1e-9,
-    )
+    widening, loosening = at_once(found, 20.0)
     # u = A r + B/r without stress at the bore, pulled by the housing at the seat
     pulled = np.linalg.solve(
-        [_lame(_STEEL, bore)[0] / 1e11, _lame(_STEEL, seat)[2]], [0.0, (23.6e-6 - 12.6e-6) * seat]
+        [_lame(_STEEL, _BORE)[0] / 1e11, _lame(_STEEL, _SEAT)[2]],
+        [0.0, (_HOUSING_EXPANSION - _RING_EXPANSION) * _SEAT],
     )
-    yield compared(
-        model="Temperature",
+    check = functools.partial(compared, model="Temperature", tolerance=1e-9)
+    yield check(
         reference="Lamé's field: a steel ring 50/58 mm in a rigid aluminium housing",
         quantity="expansion of the bore",
         unit="1e-6/K",
-        expected=12.6 + 1e6 * (_lame(_STEEL, bore)[2] @ pulled) / bore,
+        expected=1e6 * _RING_EXPANSION + 1e6 * (_lame(_STEEL, _BORE)[2] @ pulled) / _BORE,
         computed=1e6 * widening,
-        tolerance=1e-9,
     )
-    yield compared(
-        model="Temperature",
+    yield check(
         reference="by hand: a ring of 40 mm that expands by 11.5e-6/K more than its rollers, 20 K",
         quantity="interference that it takes",
         unit="µm",
-        expected=11.5e-6 * 40e-3 * 20.0 * 1e6,
+        expected=_BEYOND_ROLLERS * 40e-3 * 20.0 * 1e6,
         computed=-1e6 * loosening,
-        tolerance=1e-9,
     )
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.standing.windup import StiffnessLevel
-from asperity.study.calibration.curve_checks import refuse_turns, refuse_wrong_signs
+from asperity.study.calibration.curve_checks import refuse_curves
 from asperity.study.calibration.directions import (
     NAMED_SHARE,
     UNINFORMED,
@@ -155,81 +155,79 @@ def calibrate(
     D. M. Bates and D. G. Watts, Nonlinear Regression Analysis, Wiley 1988; J. Durbin and G. S. Watson,
     Biometrika 37 (1950) 409.
     """
-    from scipy.optimize import least_squares
-    from scipy.stats import qmc
-
     require_double_precision()
     if not 0.0 <= model_error <= 1.0:
         raise InputError(
             f"the error of the model must be from 0 to 1, got {model_error:g}", options=["model-error"]
         )
     refuse_impossible(joint_from_case(case).drive)
-    if all(measurement.drift is not None for measurement in measurements) and history != "virgin":
-        raise InputError(
-            "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
-        )
-    for measurement in measurements:
-        refuse_turns(measurement)
-        refuse_wrong_signs(measurement)
-    rows = sum(measurement.torque.size for measurement in measurements)
-    few = min(measurements, key=lambda measurement: measurement.torque.size)
-    if len(measurements) > 1 and few.torque.size <= len(unknowns):
-        raise InputError(
-            f"{few.source}: {few.torque.size} rows beside {len(unknowns)} unknowns: how much such a curve scatters "
-            "cannot be told from what the fit leaves of it; each of several curves needs more rows than there are "
-            "unknowns"
-        )
-    if rows <= len(unknowns):
-        raise InputError(
-            f"{rows} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
-        )
+    refuse_curves(measurements, unknown_count=len(unknowns), history=history)
     curves = JoinedCurves(
         case=case, measurements=measurements, unknowns=unknowns, level=level, history=history
     )
-    size = len(unknowns)
-
-    def fitted(begin: np.ndarray, scales: tuple[float, ...]) -> tuple[float, bool, np.ndarray]:
-        solution = least_squares(
-            lambda x: curves.residual(x, scales),
-            np.clip(begin, 1e-6, 1.0 - 1e-6),
-            jac=lambda x: curves.slopes(x, scales),
-            bounds=(np.zeros(size), np.ones(size)),
-            method="trf",
-            xtol=1e-10,
-            ftol=1e-10,
-            gtol=1e-12,
-            max_nfev=400,
-        )
-        return float(solution.cost), bool(solution.status > 0), solution.x
-
-    begins = [curves.first]
-    if starts > 1:
-        sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
-        # a search has no direction where the joint lacks a stiffness at a torque
-        begins += [point for point in sampler.random(8 * (starts - 1)) if curves.exists(point)][: starts - 1]
+    begins = _begins(curves, starts, seed)
     ended = []
     for index, begin in enumerate(begins):
-        ended.append(fitted(begin, curves.sizes))
+        ended.append(_fitted(curves, begin, curves.sizes))
         if progress is not None:
             progress(index + 1, len(begins))
-    ended.sort(key=lambda fit: fit[0])
-    _, converged, best = ended[0]
-    if not converged:
+    ended.sort(key=lambda fit: fit.cost)
+    best = ended[0]
+    if not best.converged:
         raise NoSolutionError(
             f"the best of {len(begins)} starts of the least-squares fit did not converge in 400 steps; "
             "narrow the bounds, or ask for fewer unknowns"
         )
-    if len(measurements) > 1:
-        best = _weighted_by_errors(curves, best, fitted)
+    values = best.scaled_values if len(measurements) == 1 else _weighted_by_errors(curves, best.scaled_values)
     others = candidates(case, unknowns)
     wider = JoinedCurves(
         case=case, measurements=measurements, unknowns=(*unknowns, *others), level=level, history=history
     )
+    rows = sum(measurement.torque.size for measurement in measurements)
     found = _conclude(
-        curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended), model_error, wider
+        curves, values, tuple(np.sqrt(2.0 * fit.cost / rows) for fit in ended), model_error, wider
     )
     refuse_unexplained(found.curves)
     return found
+
+
+class _Fit(NamedTuple):
+    """How one search ended: half the sum of squares, whether it converged, and where."""
+
+    cost: float
+    converged: bool
+    scaled_values: np.ndarray
+
+
+def _fitted(curves: JoinedCurves, begin: np.ndarray, scales: tuple[float, ...]) -> _Fit:
+    """Least squares from a start, the errors of each curve over its scale."""
+    from scipy.optimize import least_squares
+
+    size = len(curves.unknowns)
+    solution = least_squares(
+        lambda x: curves.residual(x, scales),
+        np.clip(begin, 1e-6, 1.0 - 1e-6),
+        jac=lambda x: curves.slopes(x, scales),
+        bounds=(np.zeros(size), np.ones(size)),
+        method="trf",
+        xtol=1e-10,
+        ftol=1e-10,
+        gtol=1e-12,
+        max_nfev=400,
+    )
+    return _Fit(float(solution.cost), bool(solution.status > 0), solution.x)
+
+
+def _begins(curves: JoinedCurves, starts: int, seed: int) -> list[np.ndarray]:
+    """Where searches begin: at the joint file, and at points where the joint exists at every torque."""
+    from scipy.stats import qmc
+
+    if starts <= 1:
+        return [curves.first]
+    sampler = qmc.LatinHypercube(d=len(curves.unknowns), rng=np.random.default_rng(seed))
+    # a search has no direction where the joint lacks a stiffness at a torque
+    others = [point for point in sampler.random(8 * (starts - 1)) if curves.exists(point)]
+    return [curves.first, *others[: starts - 1]]
 
 
 def calibrate_files(
@@ -242,15 +240,11 @@ def calibrate_files(
     return calibrate(case=case, measurements=measurements, unknowns=variables, **options)
 
 
-def _weighted_by_errors(
-    curves: JoinedCurves,
-    scaled_values: np.ndarray,
-    fitted: Callable[[np.ndarray, tuple[float, ...]], tuple[float, bool, np.ndarray]],
-) -> np.ndarray:
+def _weighted_by_errors(curves: JoinedCurves, scaled_values: np.ndarray) -> np.ndarray:
     """The fit in which each curve counts by the size of its own errors."""
     deviations = curves.deviations(scaled_values)
     for _ in range(_MOST_ROUNDS):
-        _, converged, scaled_values = fitted(scaled_values, deviations)
+        _, converged, scaled_values = _fitted(curves, scaled_values, deviations)
         before, deviations = deviations, curves.deviations(scaled_values)
         if converged and np.allclose(deviations, before, rtol=_SETTLED, atol=0.0):
             return scaled_values
@@ -295,35 +289,20 @@ def _conclude(
         direction_of(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points), quantile)
         for k in reversed(range(len(along)))
     )
-    estimates = []
-    for index, unknown in enumerate(unknowns):
-        lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
-        lost |= math.hypot(spread[index], model_spread[index]) >= UNINFORMED
-        by_scatter = quantile * float(spread[index])
-        half = math.hypot(by_scatter, NORMAL * float(model_spread[index]))
-        scaled_value = float(scaled_values[index])
-        bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
-        lost |= bool(bound)
-        estimates.append(
-            Estimate(
-                path=unknown.path,
-                value=float(unknown.from_unit(scaled_value)),
-                **{
-                    name: math.nan if lost else float(unknown.from_unit(scaled_value + step))
-                    for name, step in (
-                        ("lower", -half),
-                        ("upper", half),
-                        ("scatter_lower", -by_scatter),
-                        ("scatter_upper", by_scatter),
-                    )
-                },
-                determined=not lost,
-                at_bound=bound,
-            )
+    estimates = tuple(
+        _estimate(
+            unknown,
+            float(scaled_values[index]),
+            quantile * float(spread[index]),
+            NORMAL * float(model_spread[index]),
+            lost=any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
+            or math.hypot(spread[index], model_spread[index]) >= UNINFORMED,
         )
+        for index, unknown in enumerate(unknowns)
+    )
     everything = np.concatenate([scaled_values, np.full(len(wider.unknowns) - len(unknowns), 0.5)])
     return Calibration(
-        estimates=tuple(estimates),
+        estimates=estimates,
         directions=directions,
         scaled_values=scaled_values,
         covariance=covariance,
@@ -338,6 +317,29 @@ def _conclude(
             wider.slopes(everything, spreads),
             len(unknowns),
         ),
+    )
+
+
+def _estimate(
+    unknown: Variable, scaled_value: float, by_scatter: float, by_model: float, *, lost: bool
+) -> Estimate:
+    """An unknown with its interval, of which the scatter of the data and the error of the model make their parts.
+
+    ``lost``: the data do not determine it.
+    """
+    half = math.hypot(by_scatter, by_model)
+    bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
+    lost = lost or bool(bound)
+    steps = {"lower": -half, "upper": half, "scatter_lower": -by_scatter, "scatter_upper": by_scatter}
+    return Estimate(
+        path=unknown.path,
+        value=float(unknown.from_unit(scaled_value)),
+        **{
+            name: math.nan if lost else float(unknown.from_unit(scaled_value + step))
+            for name, step in steps.items()
+        },
+        determined=not lost,
+        at_bound=bound,
     )
 
 

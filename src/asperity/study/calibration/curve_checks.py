@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from asperity.errors import InputError
 from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.torque_history import History
 from asperity.units import format_quantity
 
 #: Standard errors by which a curve must fall before its sign counts as wrong.
@@ -28,6 +29,29 @@ class Scatter:
 
     deviation: float
     freedom: float
+
+
+def refuse_curves(measurements: tuple[Measurement, ...], *, unknown_count: int, history: History) -> None:
+    """Raise an ``InputError`` if curves cannot be fitted: too few rows, wrong signs, or a history that they lack."""
+    if all(measurement.drift is not None for measurement in measurements) and history != "virgin":
+        raise InputError(
+            "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
+        )
+    for measurement in measurements:
+        refuse_turns(measurement)
+        refuse_wrong_signs(measurement)
+    rows = sum(measurement.torque.size for measurement in measurements)
+    few = min(measurements, key=lambda measurement: measurement.torque.size)
+    if len(measurements) > 1 and few.torque.size <= unknown_count:
+        raise InputError(
+            f"{few.source}: {few.torque.size} rows beside {unknown_count} unknowns: how much such a curve scatters "
+            "cannot be told from what the fit leaves of it; each of several curves needs more rows than there are "
+            "unknowns"
+        )
+    if rows <= unknown_count:
+        raise InputError(
+            f"{rows} rows cannot determine {unknown_count} unknowns; more rows than unknowns are needed"
+        )
 
 
 def refuse_wrong_signs(measurement: Measurement) -> None:
