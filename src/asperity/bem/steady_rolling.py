@@ -154,6 +154,51 @@ def _prescribed(what: str, creepage: float | None, force: float | None) -> tuple
     return float(value), creepage is None
 
 
+def _refuse_sliding(components: tuple[tuple[float, bool], ...], sliding_force: float) -> None:
+    """Refuse forces under which the bodies slide."""
+    force = math.hypot(*(value if forced else 0.0 for value, forced in components))
+    if force >= sliding_force:
+        raise InputError(
+            f"tangential force of {force:g} N/m: the bodies slide at {sliding_force:g} N/m "
+            "(friction coefficient times load); prescribe the creepage instead"
+        )
+
+
+def _converged(
+    half_space: FreeHalfSpace,
+    p: np.ndarray,
+    mu: float,
+    components: tuple[tuple[float, bool], ...],
+    axes: tuple[int, ...],
+    layer: Array | None,
+    max_iterations: int,
+) -> tuple[Array, ...]:
+    """What :func:`_newton` finds, with friction raised in more steps until it converges."""
+    by_pressure = np.zeros((len(axes), p.size))
+    shift = np.asarray(half_space.coupled_displacement(jnp.asarray(np.append(p, 0.0))))
+    by_pressure[0] = shift[:-1] - shift[1:]
+    for factors in _FRICTION_FACTORS:
+        *state, k, residual = _newton(
+            half_space,
+            jnp.asarray(mu * p),
+            jnp.zeros(p.shape) if layer is None else layer,
+            jnp.asarray(by_pressure),
+            jnp.asarray([components[axis][0] for axis in axes]),
+            jnp.asarray([components[axis][1] for axis in axes]),
+            axes,
+            jnp.asarray(factors),
+            jnp.asarray(max_iterations),
+        )
+        if float(residual) <= _TOLERANCE:
+            break
+    if not float(residual) <= _TOLERANCE:
+        raise NoSolutionError(
+            f"steady rolling: not converged after {int(k)} Newton steps, relative misfit {float(residual):.3g}, "
+            f"tolerance {_TOLERANCE:g}; increase max_iterations, or use transient_rolling"
+        )
+    return (*state, k, residual)
+
+
 def steady_rolling(
     half_space: FreeHalfSpace,
     pressure: ArrayLike,
@@ -224,38 +269,13 @@ def steady_rolling(
         _prescribed("longitudinal", longitudinal_creepage, longitudinal_force),
         _prescribed("lateral", lateral_creepage, lateral_force),
     )
-    sliding_force = mu * float(p.sum()) * float(half_space.pixel_area)
-    force = math.hypot(*(value if forced else 0.0 for value, forced in components))
-    if force >= sliding_force:
-        raise InputError(
-            f"tangential force of {force:g} N/m: the bodies slide at {sliding_force:g} N/m "
-            "(friction coefficient times load); prescribe the creepage instead"
-        )
+    _refuse_sliding(components, mu * float(p.sum()) * float(half_space.pixel_area))
     # Without lateral creepage or force nothing moves across the rolling direction: half the unknowns suffice.
     axes = (0,) if components[1][0] == 0.0 else (0, 1)
     layer = layer_on_grid(layer_compliance, p)
-    by_pressure = np.zeros((len(axes), p.size))
-    shift = np.asarray(half_space.coupled_displacement(jnp.asarray(np.append(p, 0.0))))
-    by_pressure[0] = shift[:-1] - shift[1:]
-    for factors in _FRICTION_FACTORS:
-        t, xi, slip, tangential, slides, k, residual = _newton(
-            half_space,
-            jnp.asarray(mu * p),
-            jnp.zeros(p.shape) if layer is None else layer,
-            jnp.asarray(by_pressure),
-            jnp.asarray([components[axis][0] for axis in axes]),
-            jnp.asarray([components[axis][1] for axis in axes]),
-            axes,
-            jnp.asarray(factors),
-            jnp.asarray(max_iterations),
-        )
-        if float(residual) <= _TOLERANCE:
-            break
-    if not float(residual) <= _TOLERANCE:
-        raise NoSolutionError(
-            f"steady rolling: not converged after {int(k)} Newton steps, relative misfit {float(residual):.3g}, "
-            f"tolerance {_TOLERANCE:g}; increase max_iterations, or use transient_rolling"
-        )
+    t, xi, slip, tangential, slides, k, residual = _converged(
+        half_space, p, mu, components, axes, layer, max_iterations
+    )
     contact = jnp.asarray(p > 0.0)
     rows = jnp.asarray(axes)
 

@@ -28,6 +28,7 @@ from asperity.study.calibration.directions import (
     candidates,
     direction_of,
 )
+from asperity.study.calibration.estimate import Estimate, estimated
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves, refuse_unexplained
 from asperity.study.calibration.measurement import Measurement, read_measurement
 from asperity.study.calibration.torque_history import History
@@ -44,26 +45,6 @@ MODEL_ERROR = 0.05
 
 # rounds in which the sizes of the errors of two curves must settle, and their relative change when they have
 _MOST_ROUNDS, _SETTLED = 50, 1e-4
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """One calibrated unknown: its ``path``, and the least-squares estimate of its ``value`` [SI].
-
-    ``lower`` and ``upper``: 95 % interval, by the scatter of the data and the error of the model [SI], nan where it is
-    not determined; ``scatter_lower`` and ``scatter_upper``, by the scatter of the data alone. ``determined``: whether
-    the data and the model say more about it than its bounds do; ``at_bound``: "lower" or "upper" if the search ended
-    on a bound, where ``value`` is that bound and nothing is determined, else empty.
-    """
-
-    path: str
-    value: float
-    lower: float
-    upper: float
-    scatter_lower: float
-    scatter_upper: float
-    determined: bool
-    at_bound: str
 
 
 @dataclass(frozen=True)
@@ -290,7 +271,7 @@ def _conclude(
         for k in reversed(range(len(along)))
     )
     estimates = tuple(
-        _estimate(
+        estimated(
             unknown,
             float(scaled_values[index]),
             quantile * float(spread[index]),
@@ -317,29 +298,6 @@ def _conclude(
             wider.slopes(everything, spreads),
             len(unknowns),
         ),
-    )
-
-
-def _estimate(
-    unknown: Variable, scaled_value: float, by_scatter: float, by_model: float, *, lost: bool
-) -> Estimate:
-    """An unknown with its interval, of which the scatter of the data and the error of the model make their parts.
-
-    ``lost``: the data do not determine it.
-    """
-    half = math.hypot(by_scatter, by_model)
-    bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
-    lost = lost or bool(bound)
-    steps = {"lower": -half, "upper": half, "scatter_lower": -by_scatter, "scatter_upper": by_scatter}
-    return Estimate(
-        path=unknown.path,
-        value=float(unknown.from_unit(scaled_value)),
-        **{
-            name: math.nan if lost else float(unknown.from_unit(scaled_value + step))
-            for name, step in steps.items()
-        },
-        determined=not lost,
-        at_bound=bound,
     )
 
 

@@ -47,7 +47,6 @@ def pareto_front(
     require_double_precision()
     if not 2 <= len(problem.objectives) <= 3:
         raise InputError(f"a Pareto front has two or three objectives, got {len(problem.objectives)}")
-    import xarray
     from pymoo.algorithms.moo.nsga2 import NSGA2
     from pymoo.core.callback import Callback
     from pymoo.core.problem import Problem
@@ -89,7 +88,14 @@ def pareto_front(
         raise NoSolutionError(
             "no design meets all limits; use a single objective: the report then names the limits that conflict"
         )
-    scaled = np.atleast_2d(front.X)
+    return _dataset(evaluator, np.atleast_2d(front.X))
+
+
+def _dataset(evaluator: DesignEvaluator, scaled: np.ndarray) -> xarray.Dataset:
+    """Designs by their scaled variables, sorted by the first objective."""
+    import xarray
+
+    problem = evaluator.problem
     objectives, margins = evaluator.many(scaled)
     values = objectives * np.array([goal.sign for goal in problem.objectives])
     order = np.argsort(values[:, 0])

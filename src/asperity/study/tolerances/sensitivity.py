@@ -23,7 +23,7 @@ from asperity.joint.solve import refuse_impossible_joint, solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, sizes_of_parts, with_nominal_sizes
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.si_tables import AnyCase, si_values, varied_keys
+from asperity.joint_file.si_tables import AnyCase, NumericKey, si_values, varied_keys
 from asperity.precision import require_double_precision
 from asperity.results import LEVELS, Result, known_result, row_name
 from asperity.results.document import stiffness_unknown_because
@@ -99,7 +99,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     has a kink (no torque; two longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()
-    xr = require("xarray")
+    require("xarray")
     tables = si_values(case)
     table = results_of(tables)
     allowed = [name for name, result in table.items() if result.differentiable]
@@ -117,14 +117,24 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
         refuse_failed(case, int(status[0]))
     inputs = keys | {f"{path}{FINISHED_PART}": keys[path] for path in sizes}
-    x = np.array([entry.value for entry in inputs.values()])
     jacobian = np.concatenate([slopes[name][:, 0] for name in names])
     # the numbers of the file first; the slopes of sizes alone are those of finished parts
     places, paths = np.arange(len(keys)), list(keys)
     parts = [paths.index(path) for path in sizes]
     places[parts] = len(keys) + np.arange(len(sizes))
     jacobian = jacobian[:, [*places, *parts]]
-    rows = result_rows(table[name] for name in names)
+    return _dataset(result_rows(table[name] for name in names), y, inputs, jacobian)
+
+
+def _dataset(
+    rows: Sequence[tuple[str, str, str]],
+    y: np.ndarray,
+    inputs: Mapping[str, NumericKey],
+    jacobian: np.ndarray,
+) -> xarray.Dataset:
+    """Derivatives and elasticities of results, of which ``y`` are the values and ``rows`` name, unit and label."""
+    xr = require("xarray")
+    x = np.array([entry.value for entry in inputs.values()])
     finite = np.isfinite(y)[:, None]
     derivative = np.where(finite, jacobian, np.nan)
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
