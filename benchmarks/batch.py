@@ -23,7 +23,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.contact.fractal import Surface
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.materials import Material
 from asperity.precision import use_double_precision
@@ -55,7 +55,7 @@ def joint_of(points: jax.Array) -> PublishedJoint:
     return PublishedJoint(
         geometry=DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0),
         material=Material(206e9, 0.3, 7850.0, 450e6, 1260e6),
-        surface=Surface(dimension, jnp.exp(log_roughness), 1.5, "majumdar_bhushan_1991"),
+        surface=Zou2025(dimension, jnp.exp(log_roughness), 1.5, "majumdar_bhushan_1991"),
         contact_length=length,
         friction_coefficient=friction,
         ring_wall_thickness=10e-3,

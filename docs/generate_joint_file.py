@@ -13,6 +13,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from asperity.contact.laws.registry import LAWS
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import Section, meaning
@@ -209,6 +210,35 @@ def _table(header: str, model: type[Section], moves: dict[str, list[str]]) -> It
     yield ""
 
 
+LAW_TABLE = """\
+# Contact laws
+
+The choices of `contact_law`, from the one that knows least of the surface. *Needs* names keys of `[surface]`, of which
+`roughness_average` stands for `rms_height`, and with `fractal_dimension` for `fractal_roughness`. *Error*: how stiff a
+contact is by the law, over boundary elements ([](validity.md)).
+
+| law | what it is | needs | law of files with | of a measured surface | error |
+|---|---|---|---|---|---|
+"""
+#: What of a measured surface goes in, in words.
+TAKEN = {
+    "fractal": "D and G",
+    "heights": "the heights that each contact feels",
+    "decay_length": "the decay length of each contact",
+    "nothing": "nothing",
+}
+
+
+def _laws() -> str:
+    """A table of the contact laws."""
+    rows = []
+    for law in LAWS.values():
+        needs, default = (", ".join(f"`{key}`" for key in keys) for keys in (law.needs, law.default_for))
+        cells = (f"`{law.name}`", law.meaning, needs, default, TAKEN[law.from_measurement], law.error)
+        rows.append(f"| {' | '.join(cells)} |\n")
+    return LAW_TABLE + "".join(rows)
+
+
 def page() -> str:
     """The page as it must be."""
     moves = _moves()
@@ -218,7 +248,7 @@ def page() -> str:
     parts.append(OTHERS)
     for header, model, description in _other_sections():
         parts += [f"## `{header}`\n", description + "\n", *_other_table(model)]
-    return "\n".join(parts)
+    return "\n".join([*parts, _laws()])
 
 
 def measured() -> dict[str, list[str]]:

@@ -31,6 +31,8 @@ from asperity.contact import (
     subsurface_stress,
     tilted_line,
 )
+from asperity.contact.laws.exponential import Exponential
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.materials import ContactPair
 
 #: Numbers of the contacts of steel rollers, by the names of the arguments. SI units.
@@ -150,7 +152,7 @@ def part(numbers, names):
 
 
 def surface_of(numbers):
-    return fractal.Surface(**part(numbers, SURFACE), asperity_base="circular_spot")
+    return Zou2025(**part(numbers, SURFACE), asperity_base="circular_spot")
 
 
 def pairs_of(numbers, surface):
@@ -180,7 +182,7 @@ def rough_contacts(numbers):
 
 @takes(*PAIR, *MODULI, "decay_length", "normal_force", "model_number")
 def numbered_contact_factors(numbers):
-    pairs = pairs_of(numbers, exponential.RandomRoughness(numbers["decay_length"]))
+    pairs = pairs_of(numbers, Exponential(numbers["decay_length"]))
     under = part(numbers, ("model_number", "normal_force"))
     return roller_pairs.numbered_contact_factors(pairs=pairs, **under), pairs.half_width(
         under["normal_force"]

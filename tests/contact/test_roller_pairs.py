@@ -4,7 +4,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.contact.fractal import Surface
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.contact.roller_pairs import (
     CONTACT_FACTOR_MODELS,
     contact_factors,
@@ -26,7 +26,7 @@ def pairs(sign=1.0):
         contact_length=5e-3,
         friction_coefficient=0.1,
         moduli=pair(STEEL, STEEL),
-        surface=Surface(1.85, 1e-11, 1.5, "majumdar_bhushan_1991"),
+        surface=Zou2025(1.85, 1e-11, 1.5, "majumdar_bhushan_1991"),
     )
 
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from assumed import assumptions
 
-from asperity.contact.exponential import RandomRoughness
-from asperity.contact.fractal import Surface
+from asperity.contact.laws.by_decay_length import ByDecayLength
+from asperity.contact.laws.registry import LAWS
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case, joint_from_values
@@ -55,7 +56,7 @@ def test_the_law_of_every_surface(surface, law, chosen):
     case = case_of(surface, law)
     assert case.contact_law() == chosen
     (built,) = joint_from_case(case).surfaces
-    assert isinstance(built, Surface if chosen == "zou_2025" else RandomRoughness)
+    assert type(built) is LAWS[chosen]
     told = " ".join(assumptions(case))
     assert (f"contact law {chosen}, since the file does not state model.contact_law" in told) == (law is None)
     assert ("contact law exponential: randomly rough" in told) == (chosen == "exponential")
@@ -66,9 +67,18 @@ def test_the_law_of_every_surface(surface, law, chosen):
 @pytest.mark.parametrize(
     ("surface", "law", "remedy"),
     [
-        (HEIGHT, "zou_2025", "leave contact_law out, or give fractal_dimension"),
-        (LENGTH, "exponential", "leave contact_law out, and give the decay_length of all contacts"),
-        (FRACTAL, "exponential", "give rms_height or roughness_average in place of fractal_roughness"),
+        (HEIGHT, "zou_2025", 'leave contact_law out, state "exponential", or give fractal_dimension'),
+        (
+            LENGTH,
+            "exponential",
+            'leave contact_law out, state "persson_2007" or "measured", or give rms_height',
+        ),
+        (
+            FRACTAL,
+            "exponential",
+            'state "zou_2025", or give rms_height of all contacts; roughness_average stands',
+        ),
+        (LENGTH, "zou_2025", "needs D and G, which decay_length of a surface does not fix"),
         (dict.fromkeys(("sp", "pwr", "pwl", "wro", "wlo"), HEIGHT), "zou_2025", "leave contact_law out"),
     ],
 )
@@ -139,11 +149,11 @@ def test_one_law_for_surfaces_of_both_kinds():
     others = dict.fromkeys(("pwr", "pwl", "wro", "wlo"), AVERAGE)
     case = case_of({"sp": FRACTAL, **others})
     assert case.contact_law() == "zou_2025"
-    assert all(isinstance(each, Surface) for each in joint_from_case(case).surfaces)
+    assert all(isinstance(each, Zou2025) for each in joint_from_case(case).surfaces)
     values = si_values(case_of(dict.fromkeys(("sp", *others), AVERAGE)))
     changed = joint_from_values(replace_values(values, {"surface.sp.rms_height": 2e-7}))
     assert float(changed.surfaces[0].decay_length) == 0.48 * 2e-7
-    assert all(isinstance(each, RandomRoughness) for each in changed.surfaces)
+    assert all(isinstance(each, ByDecayLength) for each in changed.surfaces)
     with pytest.raises(InputError, match="one contact law for all contacts"):
         joint_from_values(replace_values(si_values(case), {"surface.pwr.rms_height": 2e-7}))
 

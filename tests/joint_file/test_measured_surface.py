@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scipy.special import erf
 
+from asperity.contact.laws.measured import decay_ratio
 from asperity.errors import InputError
 from asperity.joint.description import contact_values
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.decay_ratios import _decay_ratio
 from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import Felt, assumed_heights
@@ -403,12 +403,12 @@ def test_two_bodies_alike_are_a_rougher_one_under_less_pressure(isotropic_map):
     for pressure in (5e-4, 2e-3, 9e-3):
         at = 0.5 * (0.3 / 0.5) ** (math.log(pressure / math.sqrt(2.0) / 1e-4) / math.log(200.0))
         for spectra, squares in (((twin,), (2e-14,)), ((table, table), (1e-14, 1e-14))):
-            ratio, error = _decay_ratio(spectra, squares, pressure, capped=False)
+            ratio, error = decay_ratio(spectra, squares, pressure, capped=False)
             assert ratio == pytest.approx(math.sqrt(0.51 / 0.5) * at * math.sqrt(0.5 / 0.51), rel=1e-6)
             # one table of both is known no better than one
             alone = table.pressed.decay_ratio(pressure=pressure / math.sqrt(2.0), capped=False)[1]
             assert error == pytest.approx(alone / math.sqrt(len(spectra)), rel=1e-6)
-        beside, _ = _decay_ratio((table, table), smooth, pressure, capped=False)
+        beside, _ = decay_ratio((table, table), smooth, pressure, capped=False)
         assert beside == pytest.approx(
             table.pressed.decay_ratio(pressure=pressure, capped=False)[0], rel=1e-6
         )

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import get_args
 
 from asperity.contact import hertz_line
-from asperity.contact.exponential import RandomRoughness, random_contact
-from asperity.contact.fractal import Surface, fractal_contact
 from asperity.contact.interface import RoughContact
+from asperity.contact.laws.law import ContactLaw, PressedRollers
 from asperity.contact.population import ContactFactorModel, contact_factor
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
@@ -16,10 +15,6 @@ from asperity.types import Array, Real
 
 #: Models of the contact factor, in the order of the numbers of :func:`numbered_contact_factors`.
 CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorModel)
-
-
-#: What the roughness of a contact is described by.
-Roughness = Surface | RandomRoughness
 
 
 class RollerPairs(Module):
@@ -39,8 +34,8 @@ class RollerPairs(Module):
         Friction coefficient mu [-].
     moduli : ContactPair
         Moduli and limits of the two materials.
-    surface : Surface or RandomRoughness
-        Roughness of the equivalent surface, fractal or by its heights: it decides the contact law.
+    surface : ContactLaw
+        The law of the asperities, with the numbers of the equivalent surface.
     """
 
     radius_1: Real
@@ -50,7 +45,7 @@ class RollerPairs(Module):
     contact_length: Real
     friction_coefficient: Real
     moduli: ContactPair
-    surface: Roughness
+    surface: ContactLaw
 
     def half_width(self, normal_force: Real) -> Real:
         """Half-width of the Hertzian strips [m], for one newton where the contact is open.
@@ -81,7 +76,7 @@ def roller_pairs(
     contact_length: Real,
     friction_coefficient: Real,
     moduli: ContactPair,
-    surface: Roughness,
+    surface: ContactLaw,
 ) -> RollerPairs:
     """Roller pairs from radii, length, friction, materials and surface.
 
@@ -97,8 +92,8 @@ def roller_pairs(
         mu [-].
     moduli : ContactPair
         Moduli and limits of the materials.
-    surface : Surface or RandomRoughness
-        Roughness.
+    surface : ContactLaw
+        The law of the asperities, with the numbers of the equivalent surface.
 
     Returns
     -------
@@ -192,22 +187,20 @@ def rough_contacts(
     Returns
     -------
     RoughContact
-        As :func:`asperity.contact.fractal.fractal_contact` or :func:`asperity.contact.exponential.random_contact`
-        gives it, by the kind of the surface.
+        As :meth:`asperity.contact.laws.law.ContactLaw.rough_contact` of the surface gives it.
 
     References
     ----------
     Zou et al. 2025, equations (10)–(12), (20), (22)–(24); (A10) of :doc:`/equations`.
     """
-    under = {
-        "normal_force": normal_force,
-        "tangential_force": xp.abs(tangential_force),
-        "friction_coefficient": pairs.friction_coefficient,
-        "contact_modulus": pairs.moduli.contact_modulus,
-        "tangential_contact_modulus": pairs.moduli.tangential_contact_modulus,
-    }
-    if isinstance(pairs.surface, RandomRoughness):
-        return random_contact(roughness=pairs.surface, contact_length=pairs.contact_length, **under)
-    return fractal_contact(
-        surface=pairs.surface, contact_factor=contact_factor, hardness=pairs.moduli.hardness, **under
+    return pairs.surface.rough_contact(
+        PressedRollers(
+            normal_force=normal_force,
+            tangential_force=xp.abs(tangential_force),
+            friction_coefficient=pairs.friction_coefficient,
+            moduli=pairs.moduli,
+            contact_length=pairs.contact_length,
+            effective_radius=pairs.effective_radius,
+            contact_factor=contact_factor,
+        )
     )

@@ -8,8 +8,9 @@ from typing import Any, Literal
 import numpy as np
 
 from asperity.body.shapes import PlaneState
+from asperity.contact.laws.law import ContactLaw
 from asperity.contact.population import ContactFactorModel
-from asperity.contact.roller_pairs import Roughness, roller_pairs
+from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, contact_angles, incidence, speeds
 from asperity.drive.state.state import BodiesOfContacts
@@ -65,8 +66,8 @@ class Joint(Module):
         What each body is, in the order of the drive's bodies.
     materials : tuple of Material
         Of each body.
-    surfaces : tuple of Surface or RandomRoughness
-        Fractal roughness.
+    surfaces : tuple of ContactLaw
+        The law of the asperities with the numbers of the equivalent surface.
     contact_lengths, friction_coefficients : tuple of Real
         Lengths B [m] and friction coefficients mu [-].
     pattern : tuple of Real
@@ -133,7 +134,7 @@ class Joint(Module):
     drive: Drive
     shapes: tuple[BodyShape, ...]
     materials: tuple[Material, ...]
-    surfaces: tuple[Roughness, ...]
+    surfaces: tuple[ContactLaw, ...]
     contact_lengths: tuple[Real, ...]
     friction_coefficients: tuple[Real, ...]
     pattern: tuple[Real, ...]

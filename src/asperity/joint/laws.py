@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
-from asperity.contact.exponential import RandomRoughness
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.contact.rolling_losses import hysteresis_moment
 from asperity.drive.layout.drive import CARRIER, speeds
@@ -59,7 +58,7 @@ def contact_laws(machine: JointMachine, reference_force: Array) -> ContactLaws:
         rims=contacts.rims,
         linear_compliance=machine.ring_compliance,
         bores=machine.bores,
-        slip_exponent=1.0 if isinstance(contacts.pairs.surface, RandomRoughness) else 1.0 / 3.0,
+        slip_exponent=contacts.pairs.surface.slip_exponent,
     )
     if joint.closure_springs is None:
         return laws

@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.contact.exponential import RandomRoughness
-from asperity.contact.fractal import Surface
 from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.description import Joint
@@ -72,15 +70,12 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
             f"{np.count_nonzero(~inside)} of {DRAWS} draws of the measured D = {centre[0]:.3f} lie outside 1 to 2: the "
             "measurement is too uncertain; measure more profiles"
         )
-    mean_surface = joint.surfaces[0]
-    assert not isinstance(mean_surface, RandomRoughness), "the surface of the file is that of the measurement"
-    surface = Surface(
+    surface = joint.surfaces[0].with_numbers(
         fractal_dimension=xp.asarray(dimension[inside]),
         fractal_roughness=xp.asarray(np.exp(log_roughness[inside])),
         frequency_ratio=xp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
-        asperity_base=mean_surface.asperity_base,
     )
-    shape = np.shape(surface.fractal_dimension)
+    shape = np.shape(dimension[inside])
     result = over_surfaces(joint, (surface,), shape=shape)
     tail = 50.0 * (1.0 - CONFIDENCE)
     outside = int(np.count_nonzero(~inside))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.contact.roller_pairs import Roughness
+from asperity.contact.laws.law import ContactLaw
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import entries, stacked, vectorised
@@ -19,7 +19,7 @@ from asperity.joint.solve import joint_state
 _FEW = 50
 
 
-def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
+def over_surfaces(joint: Joint, surfaces: tuple[ContactLaw, ...], *, shape: tuple[int, ...]) -> JointResult:
     """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis."""
     numbers = as_numbers(dataclasses.replace(joint, surfaces=()))
     samples = trees.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
@@ -28,7 +28,7 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
     return stacked([joint_state(dataclasses.replace(numbers, surfaces=one)) for one in entries(samples)])
 
 
-def _by_program(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
+def _by_program(joint: Joint, surfaces: tuple[ContactLaw, ...]) -> JointResult:
     """The same of many surfaces, compiled."""
     from asperity.compilation import program_for_few
 
@@ -36,7 +36,7 @@ def _by_program(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
     return trees.map(np.asarray, found)
 
 
-def _of_many(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
+def _of_many(joint: Joint, surfaces: tuple[ContactLaw, ...]) -> JointResult:
     return vectorised(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
 
 

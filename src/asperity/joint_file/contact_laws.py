@@ -6,44 +6,44 @@ import dataclasses
 import math
 from typing import Any
 
-from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
-from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
-from asperity.contact.roller_pairs import Roughness
+from asperity.contact.laws.law import ContactLaw
+from asperity.contact.laws.registry import LAWS
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.drawn_surface import surface_entries, surfaces_by_average
-from asperity.joint_file.material_entries import ContactLaw
+from asperity.joint_file.drawn_surface import surface_entries
+from asperity.joint_file.material_entries import ContactLawName, served_laws
 from asperity.joint_file.model import Case
 
-#: Laws side by side, from the one that knows least of the surface → its stiffness over that of boundary elements on
-#: measured surfaces (``docs/validity.md``): of maps with D and G, of nine states in ten, of 15 rollers in 17.
-_OVER_BOUNDARY_ELEMENTS: dict[ContactLaw, tuple[float, float]] = {
-    "zou_2025": (0.045, 0.5),
-    "exponential": OVER_BOUNDARY_ELEMENTS,
-    "persson_2007": PERSSON_OVER_BOUNDARY_ELEMENTS,
-    "measured": (0.49, 2.31),
-}
 
-
-def with_law(case: Case, law: ContactLaw) -> Case:
+def with_law(case: Case, law: ContactLawName) -> Case:
     """The joint file with a contact law."""
     return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
 
 
 def laws_of_file(case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
-    """The joint of a file by every law that its surfaces allow, as :func:`laws_side_by_side`: both for Ra with D."""
-    if len(surfaces_by_average(case)) < len(list(surface_entries(case))):
-        return []
-    laws: tuple[ContactLaw, ...] = ("exponential", "zou_2025")
-    surfaces = {law: joint_from_case(with_law(case, law)).surfaces for law in laws}
-    return laws_side_by_side(joint, result, used=case.contact_law(), surfaces=surfaces)
+    """The joint of a file by every law that its surfaces allow, as :func:`laws_side_by_side`.
+
+    Those of a decay length differ in where it is from, not in what they make of the one that a file states.
+    """
+    used = case.contact_law()
+    laws = [
+        law.name
+        for law in served_laws(entry.stated_keys() for _, entry in surface_entries(case))
+        if law.name == used or law.from_measurement != "decay_length"
+    ]
+    surfaces = {law: joint_from_case(with_law(case, law)).surfaces for law in laws if len(laws) > 1}
+    return laws_side_by_side(joint, result, used=used, surfaces=surfaces)
 
 
 def laws_side_by_side(
-    joint: Joint, result: JointResult, *, used: ContactLaw, surfaces: dict[ContactLaw, tuple[Roughness, ...]]
+    joint: Joint,
+    result: JointResult,
+    *,
+    used: ContactLawName,
+    surfaces: dict[ContactLawName, tuple[ContactLaw, ...]],
 ) -> list[dict[str, Any]]:
     """Assembled stiffness at the output and drift of a solved joint by several laws.
 
@@ -51,7 +51,7 @@ def laws_side_by_side(
     are None where the joint has no solution or no stiffness; an empty list for one law only.
     """
     entries = []
-    for law in (law for law in _OVER_BOUNDARY_ELEMENTS if law in surfaces and len(surfaces) > 1):
+    for law in (law for law in LAWS if law in surfaces and len(surfaces) > 1):
         one: JointResult | None = result
         if law != used:
             own = surfaces[law]
@@ -71,7 +71,7 @@ def laws_side_by_side(
                 "used": law == used,
                 "assembly_Nm_per_rad": stiffness,
                 "drift_rad_per_output_turn": drift,
-                "over_boundary_elements": list(_OVER_BOUNDARY_ELEMENTS[law]),
+                "over_boundary_elements": list(LAWS[law].over_boundary_elements),
             }
         )
     return entries

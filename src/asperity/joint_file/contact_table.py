@@ -12,8 +12,8 @@ from typing import Any, NamedTuple, TextIO
 import numpy as np
 
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.contact.roller_pairs import (
     CONTACT_FACTOR_MODELS,
     numbered_contact_factors,
@@ -284,7 +284,7 @@ def _evaluated(
 ) -> dict[str, np.ndarray]:
     """Results of some rows in the units of their columns."""
     si: dict[str, Any] = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
-    surface = Surface(si["D"], si["G_mm"], xp.full(si["D"].size, frequency_ratio), asperity_base)
+    surface = Zou2025(si["D"], si["G_mm"], xp.full(si["D"].size, frequency_ratio), asperity_base)
     contacts = at_once(_contacts, si, surface, columns[MODEL_COLUMN])
     return {
         name: np.asarray(getattr(contacts, field)) * from_si(1.0, unit)
@@ -292,7 +292,7 @@ def _evaluated(
     }
 
 
-def _contacts(si: dict[str, Array], surface: Surface, model_number: Array) -> RoughContact:
+def _contacts(si: dict[str, Array], surface: Zou2025, model_number: Array) -> RoughContact:
     """The contacts of some rows, each with its own model of the contact factor."""
     elastic = {
         "youngs_modulus_1": si["E1_MPa"],

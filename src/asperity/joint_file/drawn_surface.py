@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, RandomRoughness
-from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
+from asperity.contact.laws.registry import LAWS
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.joint.evaluation import JointResult
@@ -18,7 +17,7 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.quantity_key import Quantity
-from asperity.joint_file.section_build import rms_height_of_average
+from asperity.joint_file.section_build import rms_height_of_average, surface_of
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
@@ -30,17 +29,6 @@ if TYPE_CHECKING:
 Ends = dict[str, tuple[float, float, float]]
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
-_OF_LAW = (
-    "The law is {:g} to {:g} times as stiff as boundary elements on measured surfaces, elastic, in nine cases of ten; "
-    "plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa."
-)
-#: Law → its error in words.
-_ERRORS = {
-    "exponential": _OF_LAW.format(*OVER_BOUNDARY_ELEMENTS),
-    "persson_2007": _OF_LAW.format(*PERSSON_OVER_BOUNDARY_ELEMENTS),
-    "measured": "The law is that of boundary elements on the map: its soft end elastic, its stiff end capped at the "
-    "hardness, each with the scatter between patches of the map.",
-}
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 _NORMAL_95 = 1.959963984540054
 
@@ -63,16 +51,17 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
 
     As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place of
     percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences. None where no
-    surface is stated by its Ra or by its rms_height. With the exponential contact law the ends hold its own error:
-    :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
+    surface is stated by its Ra or by its rms_height. With a contact law of the rms of the heights the ends hold its
+    own error, ``over_boundary_elements``.
 
     D runs over its tolerance in the file, which a finish fills in, and Ra over its own; an Ra without a tolerance is
     taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise that
     of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
-    if case.contact_law() == "exponential":
-        heights = _ends_of_heights(case)
-        return interval_of_heights(case, heights, exponential_ratios(heights))
+    law = LAWS[case.contact_law()]
+    if "rms_height" in law.needs:
+        heights, (low, high) = _ends_of_heights(case), law.over_boundary_elements
+        return interval_of_heights(case, heights, dict.fromkeys(heights, (low, 1.0, high)))
     entries = surfaces_by_average(case)
     if not entries:
         return None
@@ -136,38 +125,37 @@ def _ends_of_heights(case: Case) -> Ends:
     return ends
 
 
-def exponential_ratios(paths: Iterable[str]) -> Ends:
-    """Decay length over the rms of the heights of surfaces by the exponential law, with the ends of its error [-]."""
-    low, high = OVER_BOUNDARY_ELEMENTS
-    ratios = (low * DECAY_LENGTH_RATIO, DECAY_LENGTH_RATIO, high * DECAY_LENGTH_RATIO)
-    return dict.fromkeys(paths, ratios)
-
-
 def interval_of_heights(
     case: Case, heights: Ends, ratios: Ends, form: dict[str, float] | None = None
 ) -> dict[str, Any]:
-    """Intervals of stiffness and drift by a law with a decay length, from its error and that of the heights.
+    """Intervals of stiffness and drift by a law of heights or of a decay length, from its error and the heights' own.
 
     ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
-    of the decay length over them [-]; ``form``: contact → what the soft end has beside them [m]. As
-    :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``, with
-    the form, and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
+    of the decay length over them [-], of which a law of the heights needs only the ratios to the middle; ``form``:
+    contact → what the soft end has beside them [m]. As :func:`drawn_interval`, the ends of both errors together;
+    ``parts`` has those of each alone, ``contact_law``, with the form, and ``rms_height``; ``contacts`` has K_n and K_t
+    of the asperities; ``surfaces``: path → the heights or decay lengths that are as soft as both ends.
     """
-    lengths = {}
+    names, law_of_case = contacts_of(si_values(case)), LAWS[case.contact_law()]
+    key = "decay_length" if "decay_length" in law_of_case.needs else "rms_height"
+    surfaces, shown = {}, {}
     for path, (low, middle, high) in heights.items():
         least, here, most = ratios[path]
-        lengths[path] = np.array(
-            [least * low, most * high, least * middle, most * middle, here * low, here * high]
+        height = np.array([low, high, middle, middle, low, high])
+        softer = np.array([least, most, least, most, here, here]) / here
+        softer[1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0) / (here * height[1:4:2])
+        numbers = here * height if key == "decay_length" else height
+        surface = surface_of(
+            {key: xp.asarray(numbers)}, asperity_base=case.model.asperity_base, contact_law=law_of_case.name
         )
-        lengths[path][1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0)
-    names, which = contacts_of(si_values(case)), case.contact_law()
-    surfaces = [lengths[path] for path in (f"surface.{name}" for name in names) if path in lengths]
+        surfaces[path] = surface.softer(xp.asarray(softer))
+        shown[path] = (numbers * softer)[:2]
     result = over_surfaces(
         joint_from_case(case),
-        tuple(RandomRoughness(xp.asarray(of_surface)) for of_surface in surfaces or lengths.values()),
+        tuple(surfaces[path] for path in (f"surface.{name}" for name in names) if path in surfaces)
+        or tuple(surfaces.values()),
         shape=(6,),
     )
-    key, unit = ("rms_height_m", DECAY_LENGTH_RATIO) if which == "exponential" else ("decay_length_m", 1.0)
     both, law, roughness = (
         result_ends(
             trees.map(lambda leaf, k=k: leaf[k : k + 2], result),
@@ -188,11 +176,11 @@ def interval_of_heights(
         "parts": {"contact_law": law, "rms_height": roughness},
         "contacts": _asperity_ends(result, names),
         **({} if form is None else {"form_decay_length_m": form}),
-        "surfaces": {path: {key: (lengths[path][:2] / unit).tolist()} for path in heights},
+        "surfaces": {path: {f"{key}_m": ends.tolist()} for path, ends in shown.items()},
         "title": "Interval of the contact law, and of the rms of the heights",
         "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
         f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. "
-        f"{_ERRORS[which]} All other values are those of the file.",
+        f"{law_of_case.error} All other values are those of the file.",
     }
 
 

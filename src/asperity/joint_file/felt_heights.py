@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from asperity.contact.felt_contacts import Felt, FeltContacts
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.solve import solve_joint
@@ -29,25 +30,6 @@ Heights = NDArray[np.float64]
 #: Heights are settled that change by less than this share with the widths that they make.
 _SETTLED = 1e-9
 _MOST_PASSES = 12
-
-
-class Felt(NamedTuple):
-    """What a contact feels of a measured surface."""
-
-    rms_height: float
-    deviation: float  #: standard deviation of its logarithm
-    width: float
-    axial: tuple[float, ...]  #: longest waves along the axis, for each body
-    longest: float  #: share of the mean square in waves longer than half of the longest one
-    squares: tuple[float, ...]  #: mean square of the heights of each body
-
-
-class FeltContacts(NamedTuple):
-    """The contacts of a joint on a measured surface, crowned ones where they are widest."""
-
-    felt: dict[str, Felt]
-    pressures: Any  #: mean Hertzian pressures, shape (contacts,) [Pa]
-    moduli: tuple[ContactPair, ...]
 
 
 def felt_contacts(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContacts:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator, StringConstraints, WithJsonSchema, model_validator
 
+from asperity.contact.laws.law import ContactLaw
+from asperity.contact.laws.registry import LAWS, law_for
 from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Entered, Quantity
@@ -203,53 +205,69 @@ def joined(names: list[str]) -> str:
     return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
-ContactLaw = Literal["zou_2025", "exponential", "persson_2007", "measured"]
-#: Laws that take the decay length of every contact → what they need of a measurement beside the file.
-BY_DECAY_LENGTH = {
-    "measured": 'a measured map that was pressed with a hardness, such as "7 GPa" (asperity surface measure)',
-    "persson_2007": "the spectrum of a measured surface (asperity surface measure), which neither Ra nor D and G fix,",
-}
+if TYPE_CHECKING:
+    ContactLawName = str
+else:
+    ContactLawName = Literal[tuple(LAWS)]
+#: Numbers of a surface that follow from its Ra.
+OF_AVERAGE = ("fractal_roughness", "rms_height")
 
 
-def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLaw | None) -> ContactLaw:
+def law_words() -> str:
+    """What ``model.contact_law`` chooses among, and the law of a file that states none."""
+    laws = "; ".join(f"{name}, {law.meaning}" for name, law in LAWS.items())
+    default = "; ".join(
+        f"{law.name} for {', '.join(law.default_for)}" for law in LAWS.values() if law.default_for
+    )
+    return f"Law of the asperities: {laws}. If absent, that of the keys of the surfaces: {default}."
+
+
+def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLawName | None) -> ContactLawName:
     """The law of the asperities of all contacts, from the keys that each surface states and ``model.contact_law``.
 
-    ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
-    :func:`asperity.contact.exponential.random_contact`, without a statement where no surface states G. ``"measured"``
-    and ``"persson_2007"``, the same with the decay length by boundary elements on a measured map or by Persson's
-    theory, for surfaces by their ``decay_length``; the former without a statement. An ``InputError`` is raised if a
-    surface does not state what the law needs.
+    Without a statement, of the laws that take what all surfaces state, the one that knows most and is the law of files
+    with such keys. An ``InputError`` is raised if a surface does not state what the law needs.
     """
     stated_keys = list(surfaces)
     if any("measurement" in keys for keys in stated_keys):  # until it is read
-        return stated or "exponential"
-    by_height = any("rms_height" in keys for keys in stated_keys)
-    fractal = any("fractal_roughness" in keys for keys in stated_keys)
-    measured = ["decay_length" in keys for keys in stated_keys]
-    if all(measured) and stated in (None, *BY_DECAY_LENGTH):
-        return "persson_2007" if stated == "persson_2007" else "measured"
-    if any(measured):
-        raise InputError(
-            'decay_length belongs to model.contact_law = "measured" or "persson_2007": leave contact_law out, and give '
-            "the decay_length of all contacts or of none"
-        )
-    if stated in BY_DECAY_LENGTH:
-        raise InputError(
-            f'model.contact_law = "{stated}" needs {BY_DECAY_LENGTH[stated]} beside the file, or surface.decay_length '
-            "in it"
-        )
-    if by_height and stated == "zou_2025":
-        raise InputError(
-            'model.contact_law = "zou_2025" needs D and G, of which rms_height says nothing: leave contact_law '
-            "out, or give fractal_dimension, fractal_roughness and frequency_ratio in place of rms_height"
-        )
-    if by_height and fractal:
-        raise InputError(
-            "one contact law for all contacts: some surfaces have rms_height, others D and G; give all in one way"
-        )
-    if stated == "exponential" and fractal:
-        raise InputError(
-            'model.contact_law = "exponential" needs the rms of the heights, which D and G alone do not fix: give '
-            "rms_height or roughness_average in place of fractal_roughness, or leave contact_law out"
-        )
-    return stated or ("zou_2025" if fractal else "exponential")
+        return stated or law_for("measurement").name
+    served = served_laws(stated_keys)
+    if stated is None:
+        default = [
+            law.name for law in served if any(key in keys for keys in stated_keys for key in law.default_for)
+        ]
+        if not default:
+            raise InputError(
+                "one contact law for all contacts: no law takes what all of these surfaces state, "
+                f"{_told_keys(stated_keys)}; give all of them in one way"
+            )
+        return default[-1]
+    if LAWS[stated] not in served:
+        raise InputError(_unserved(LAWS[stated], stated_keys, served))
+    return stated
+
+
+def served_laws(surfaces: Iterable[Collection[str]]) -> list[type[ContactLaw]]:
+    """The laws that take what all surfaces state, by their keys, from the one that knows least."""
+    known = [{*keys, *(OF_AVERAGE if "roughness_average" in keys else ())} for keys in surfaces]
+    return [law for law in LAWS.values() if all(keys.issuperset(law.needs) for keys in known)]
+
+
+def _told_keys(surfaces: list[Collection[str]]) -> str:
+    """The keys that say how rough surfaces are."""
+    telling = ("fractal_roughness", "roughness_average", *ALONE)
+    return ", ".join(key for key in telling if any(key in keys for keys in surfaces))
+
+
+def _unserved(law: type[ContactLaw], surfaces: list[Collection[str]], served: list[type[ContactLaw]]) -> str:
+    """Why surfaces do not serve a law, and what to do about it."""
+    needs = f'model.contact_law = "{law.name}" needs {law.needs_words}'
+    if law.from_measurement == "decay_length":
+        return f"{needs} beside the file, or surface.{' and '.join(law.needs)} in it, for all contacts"
+    choice = " or ".join(f'"{each.name}"' for each in served)
+    average = [f"; roughness_average stands for {key}" for key in law.needs if key in OF_AVERAGE]
+    return (
+        f"{needs}, which {_told_keys(surfaces)} of a surface does not fix: leave contact_law out"
+        f"{f', state {choice}' if served else ''}, or give {joined(list(law.needs))} of all contacts"
+        f"{''.join(average)}"
+    )

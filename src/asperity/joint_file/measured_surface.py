@@ -7,7 +7,9 @@ import math
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-from asperity.contact.exponential import RandomRoughness
+from asperity.contact.felt_contacts import FeltContacts, form_lengths
+from asperity.contact.laws.law import ContactLaw
+from asperity.contact.laws.registry import LAWS, law_for
 from asperity.engine.arrays import xp
 from asperity.errors import AsperityError, InputError
 from asperity.joint.description import Joint
@@ -15,11 +17,11 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_side_by_side, with_law
-from asperity.joint_file.decay_ratios import RATIOS_OF, form_lengths, refuse_without_elements
+from asperity.joint_file.decay_ratios import ratios_of
 from asperity.joint_file.drawn_surface import Ends, interval_of_heights, with_measured_surface
-from asperity.joint_file.felt_heights import FeltContacts, assumed_heights, felt_contacts, with_lengths
-from asperity.joint_file.material_entries import BY_DECAY_LENGTH
+from asperity.joint_file.felt_heights import assumed_heights, felt_contacts, with_lengths
 from asperity.joint_file.model import Case
+from asperity.joint_file.section_build import surface_of
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 
@@ -32,7 +34,8 @@ class MeasuredSurface(NamedTuple):
     ``measured``: as it was measured, of one body or of the pair; everything else is of the pair. ``assumed``: what was
     taken of it, one sentence each. ``heights``: path of a surface → lower end, middle and upper end of the rms of its
     heights [m], 95 % of measurements; ``ratios``, the same of the decay length over these heights by the contact law
-    [-]; both, what the ``contacts`` feel, and the decay length of their ``form`` by :func:`form_lengths` [m], are None
+    [-]; both, what the ``contacts`` feel, and the decay length of their ``form`` by
+    :func:`asperity.contact.felt_contacts.form_lengths` [m], are None
     where D and G went in. ``files`` that the joint file names.
     """
 
@@ -67,20 +70,32 @@ class MeasuredSurface(NamedTuple):
         surfaces = {used: joint.surfaces}
         if self.heights is None:
             with suppress(AsperityError):  # the profile may have no lay
-                measured = case_with_surface(with_law(case, "exponential"), self.measured).measured
+                by_heights = with_law(case, law_for("measurement").name)
+                measured = case_with_surface(by_heights, self.measured).measured
                 contacts = measured.contacts if measured else None
-        elif self.pair.fractal is not None:
-            fractal = with_law(with_measured_surface(case, self.pair.fractal), "zou_2025")
-            surfaces["zou_2025"] = joint_from_case(fractal).surfaces
-        for law, ratios_of in RATIOS_OF.items():
-            if contacts is not None and law != used:
-                with suppress(InputError):  # a law that the measurement does not serve
-                    ratios, _ = ratios_of(self.pair, contacts)
-                    surfaces[law] = tuple(
-                        RandomRoughness(xp.asarray(ratio * one.rms_height))
-                        for (_, ratio, _), one in zip(ratios.values(), contacts.felt.values(), strict=True)
-                    )
+        for law in LAWS.values():
+            if law.name == used:
+                continue
+            with suppress(InputError):  # a law that the measurement does not serve
+                if law.from_measurement == "fractal" and self.pair.fractal is not None:
+                    fractal = with_law(with_measured_surface(case, self.pair.fractal), law.name)
+                    surfaces[law.name] = joint_from_case(fractal).surfaces
+                elif law.from_measurement in ("heights", "decay_length") and contacts is not None:
+                    surfaces[law.name] = self._by_length(law, contacts, case)
         return laws_side_by_side(joint, result, used=used, surfaces=surfaces)
+
+    def _by_length(self, law: type[ContactLaw], contacts: FeltContacts, case: Case) -> tuple[ContactLaw, ...]:
+        """The surfaces of all contacts by a law of the heights that they feel, or of their decay length."""
+        ratios, _ = ratios_of(law, self.pair, contacts)
+        surfaces = []
+        for name, one in contacts.felt.items():
+            _, ratio, _ = ratios[f"surface.{name}"]
+            entry = {
+                "rms_height": xp.asarray(one.rms_height),
+                "decay_length": xp.asarray(ratio * one.rms_height),
+            }
+            surfaces.append(surface_of(entry, asperity_base=case.model.asperity_base, contact_law=law.name))
+        return tuple(surfaces)
 
     def interval(self, case: Case, joint: Joint) -> dict[str, Any]:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
@@ -103,30 +118,32 @@ def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str,
     An ``InputError`` is raised if the measurement does not have what the law needs, a profile states no lay, or the
     joint cannot be solved.
     """
-    law, pair = case.model.contact_law, measured.pair
-    if law == "measured":  # before any joint is solved
-        refuse_without_elements(pair)
-    if law == "zou_2025" or not pair.spectra:
-        if pair.fractal is None or law in ("exponential", "persson_2007"):
-            raise InputError(_lacks(pair, law))
+    stated, pair = case.model.contact_law, measured.pair
+    law = law_for("measurement") if stated is None else LAWS[stated]
+    law.refuse(pair)
+    by_fractal = law.from_measurement == "fractal"
+    if by_fractal or not pair.spectra:
+        if pair.fractal is None or not (by_fractal or stated is None):
+            raise InputError(_lacks(pair, stated))
         old = "measured surface: a document of an earlier release, without a spectrum; its D and G go in"
         surface = MeasuredSurface(measured, (measured.words, *(() if pair.spectra else (old,))), files=files)
         return with_measured_surface(case, pair.fractal).with_measured(surface)
     for spectrum in pair.spectra:
         if not spectrum.is_map and spectrum.lay is None:
             raise InputError(_without_lay(spectrum, pair))
-    contacts = felt_contacts(with_law(case, "exponential") if law in BY_DECAY_LENGTH else case, pair.spectra)
+    by_length = law.from_measurement == "decay_length"
+    by_heights = with_law(case, law_for("measurement").name) if by_length else case
+    contacts = felt_contacts(by_heights, pair.spectra)
     ends = {
         name: (contact.rms_height, math.exp(_NORMAL_95 * contact.deviation))
         for name, contact in contacts.felt.items()
     }
     heights = {f"surface.{name}": (rms / factor, rms, rms * factor) for name, (rms, factor) in ends.items()}
-    ratios, assumed = RATIOS_OF[law or "exponential"](pair, contacts)
+    ratios, assumed = ratios_of(law, pair, contacts)
     form = form_lengths(pair, contacts)
     heights_told = assumed_heights(pair, contacts.felt)
     told = (measured.words, *heights_told, *assumed, *_form_assumed(contacts, ratios, form))
     surface = MeasuredSurface(measured, told, heights, ratios, contacts, form, files)
-    by_length = law in BY_DECAY_LENGTH
     lengths = {
         name: rms * (ratios[f"surface.{name}"][1] if by_length else 1.0) for name, (rms, _) in ends.items()
     }
@@ -153,10 +170,10 @@ def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
     """Why a measurement does not serve a law."""
     if measured.spectra:
         return (
-            f'model.contact_law = "zou_2025" needs D and G, which {measured.source} does not have '
+            f'model.contact_law = "{law}" needs D and G, which {measured.source} does not have '
             f"({measured.no_power_law}); leave contact_law out: the exponential law takes the measured spectrum"
         )
-    if law in ("exponential", "persson_2007"):
+    if law is not None and LAWS[law].from_measurement != "fractal":
         return (
             f'{measured.source}: a document without a spectrum; model.contact_law = "{law}" needs one: measure '
             "the surface again with this release, in 16 points or more"

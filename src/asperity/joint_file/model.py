@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
+from asperity.contact.laws.registry import LAWS
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import (
@@ -18,11 +19,11 @@ from asperity.joint_file.drive_sections import (
     PartSurfaces,
 )
 from asperity.joint_file.material_entries import (
-    BY_DECAY_LENGTH,
-    ContactLaw,
+    ContactLawName,
     MaterialEntry,
     MaterialName,
     contact_law_of,
+    law_words,
     one_kind_of_roughness,
     unknown_materials,
 )
@@ -144,12 +145,7 @@ class ModelChoice(Section):
     what their bores add."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
-    contact_law: ContactLaw | None = None
-    """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
-    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra;
-    measured, the same by boundary elements on a measured map; or persson_2007, the same by Persson's theory from the
-    spectrum of a measured surface. If absent, exponential for rms_height, an Ra and a measured surface, measured for
-    decay_length, zou_2025 for D with G."""
+    contact_law: Annotated[ContactLawName | None, Field(description=law_words())] = None
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
     with their asperities. Those of the assembly if absent."""
@@ -235,11 +231,13 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _law_of_every_surface(self) -> Self:
-        if self.model.contact_law not in BY_DECAY_LENGTH:  # a measured surface takes the place of the file's
+        stated = self.model.contact_law
+        measured = stated is not None and LAWS[stated].from_measurement == "decay_length"
+        if not measured:  # a measured surface takes the place of the file's
             self.contact_law()
         return self
 
-    def contact_law(self) -> ContactLaw:
+    def contact_law(self) -> ContactLawName:
         """The law of the asperities of all contacts, stated or not."""
         surface: Any = self.surface
         entries = surface.values() if isinstance(surface, dict) else [surface]

@@ -38,9 +38,10 @@ class Section(BaseModel):
 
 
 def meaning(model: type[BaseModel], name: str) -> str:
-    """What the docstring below a key of a section says of it, in one line; empty where it has none.
+    """What a key of a section means, in one line; empty where nothing says it.
 
-    Docstrings are read when they are asked for. Pydantic would read all of them whenever a command starts.
+    That is the description of its field, where it has one, or the docstring below it. Docstrings are read when they are
+    asked for. Pydantic would read all of them whenever a command starts.
 
     Examples
     --------
@@ -48,6 +49,9 @@ def meaning(model: type[BaseModel], name: str) -> str:
     >>> meaning(PlayEntry, "angle")
     'Angle that the output turns freely on passing zero torque, from one side to the other.'
     """
+    field = model.model_fields.get(name)
+    if field is not None and field.description:
+        return field.description
     return next((said[name] for said in map(_meanings, model.__mro__) if name in said), "")
 
 

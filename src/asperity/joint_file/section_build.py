@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.exponential import RandomRoughness, decay_length
-from asperity.contact.fractal import Surface
-from asperity.contact.roller_pairs import Roughness
+from asperity.contact.laws.law import ContactLaw
+from asperity.contact.laws.registry import LAWS
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint_file.material_entries import BY_DECAY_LENGTH, ContactLaw
+from asperity.joint_file.material_entries import OF_AVERAGE, ContactLawName
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -119,22 +118,25 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
     return (entry,)
 
 
-def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLaw) -> Roughness:
+def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLawName) -> ContactLaw:
     """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
-    if contact_law in BY_DECAY_LENGTH:
-        return RandomRoughness(entry["decay_length"])
-    if contact_law == "exponential":
-        height = entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry)
-        return RandomRoughness(decay_length(rms_height=height))
-    dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
-    if roughness is None:
-        average = entry["roughness_average"]
-        roughness = fractal_roughness_from_average(
-            roughness_average=_average_of_both(entry),
-            cut_off=entry["cut_off"] if "cut_off" in entry else standard_cut_off(roughness_average=average),
-            fractal_dimension=dimension,
-        )
-    return Surface(dimension, roughness, entry["frequency_ratio"], asperity_base)
+    law = LAWS[contact_law]
+    numbers = {key: entry[key] if key in entry else _OF_AVERAGE[key](entry) for key in law.needs}
+    return law.of_surface(numbers, asperity_base=asperity_base)
+
+
+def _roughness_of_average(entry: Values) -> Any:
+    """G [m] of a surface by its D and Ra."""
+    average = entry["roughness_average"]
+    return fractal_roughness_from_average(
+        roughness_average=_average_of_both(entry),
+        cut_off=entry["cut_off"] if "cut_off" in entry else standard_cut_off(roughness_average=average),
+        fractal_dimension=entry["fractal_dimension"],
+    )
+
+
+#: Number of a surface → what it is where the file states its Ra.
+_OF_AVERAGE = dict(zip(OF_AVERAGE, (_roughness_of_average, rms_height_of_average), strict=True))
 
 
 def material_of(entry: Values) -> Material:

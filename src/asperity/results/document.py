@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.state.loads import pin_components
@@ -454,10 +453,12 @@ def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
     by_surface: dict[tuple[float, float, float | None], list[str]] = {}
     for names, surface in zip(shared, joint.surfaces, strict=True):
-        if not isinstance(surface, Surface):
+        dimension, roughness = (
+            float(surface.number(f"fractal_{name}")) for name in ("dimension", "roughness")
+        )
+        if math.isnan(dimension) or math.isnan(roughness):  # the law has none
             continue
-        entry = stated.get(names[0], stated)
-        values = (float(surface.fractal_dimension), float(surface.fractal_roughness), _cut_off(entry))
+        values = (dimension, roughness, _cut_off(stated.get(names[0], stated)))
         by_surface.setdefault(values, []).extend(names)
     return [_entry(names, *values) for values, names in by_surface.items()]
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import functools
-import math
 
-from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
+from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.state.state import STATE_TOLERANCE
 from asperity.joint.description import contact_values
@@ -40,7 +39,7 @@ _TRUST_THE_ASSEMBLY = (
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
     surfaces = solved.joint.surfaces
     per_contact = surfaces if len(surfaces) > 1 else surfaces * len(solved.result.contact_names)
-    return [s.fractal_dimension if isinstance(s, Surface) else math.nan for s in per_contact]
+    return [surface.number("fractal_dimension") for surface in per_contact]
 
 
 ROWS = (

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from asperity.branches.branches import AssembledBranches, assembled_branches
-from asperity.contact.fractal import Surface
+from asperity.contact.laws.registry import LAWS
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
@@ -75,12 +75,15 @@ def _without_torque(joint: Joint, result: JointResult) -> tuple[Joint, JointResu
 
 
 #: Why contacts lack what :func:`has_spots` says they have.
-ONLY_SPOTS = "only contacts whose law is zou_2025, that of fractal_dimension and fractal_roughness, have it"
+ONLY_SPOTS = (
+    f"only contacts whose law is {' or '.join(law.name for law in LAWS.values() if law.has_spots)}, which knows their "
+    "spots, have it"
+)
 
 
 def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
-    """Which contacts have a law that knows their spots: those of fractal surfaces."""
-    return (isinstance(solved.joint.surfaces[0], Surface),) * len(solved.joint.drive.contacts)
+    """Which contacts have a law that knows their spots."""
+    return (solved.joint.surfaces[0].has_spots,) * len(solved.joint.drive.contacts)
 
 
 def joint_size(joint: Joint, result: JointResult) -> JointSize:

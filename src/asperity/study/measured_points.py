@@ -11,11 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from asperity.contact.felt_contacts import FeltContacts
+from asperity.contact.laws.registry import LAWS, law_for
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.decay_ratios import RATIOS_OF
+from asperity.joint_file.decay_ratios import ratios_of
 from asperity.joint_file.felt_heights import (
-    FeltContacts,
     Heights,
     contact_lengths,
     felt_at,
@@ -48,9 +49,12 @@ def with_felt_surfaces(
     count = np.size(next(iter(points.values()))) if points else 1
     if names[0] not in surface:  # D and G, which every contact has, whatever its width
         return tables, dict(points), np.ones(count, dtype=bool)
+    of_heights = "rms_height" in surface[names[0]]
     by_heights = tables | {
         "surface": {name: {"rms_height": math.nan} for name in names},
-        "model": tables["model"] | {"contact_law": "exponential"},
+        "model": tables["model"]
+        if of_heights
+        else tables["model"] | {"contact_law": law_for("measurement").name},
     }
     by_heights.pop("branch", None)
     alike = {path: column for path, column in points.items() if not path.startswith("branch.")}
@@ -62,7 +66,7 @@ def with_felt_surfaces(
         return 2.0 * last[WIDTH]
 
     heights, settled = settled_heights(measured.spectra, lengths, widths_of)
-    if "rms_height" in surface[names[0]]:
+    if of_heights:
         return tables, dict(points) | _columns(names, "rms_height", heights), settled
     felt = np.array(heights)
     for point in np.flatnonzero(np.isfinite(last[WIDTH]).all(axis=0)):
@@ -73,7 +77,7 @@ def with_felt_surfaces(
             moduli_of(joint_from_values(replace_values(by_heights, numbers))),
         )
         try:
-            ratios, _ = RATIOS_OF[tables["model"]["contact_law"]](measured, contacts)
+            ratios, _ = ratios_of(LAWS[tables["model"]["contact_law"]], measured, contacts)
         except InputError:  # the law has no decay length at this pressure
             settled[point] = False
         else:
@@ -88,7 +92,7 @@ def refuse_derivatives(values: Values) -> None:
     )
     remedies = {
         "leave [[branch]] out": "branch" in values,
-        'state model.contact_law = "exponential"': by_length,
+        f'state model.contact_law = "{law_for("measurement").name}"': by_length,
     }
     if any(remedies.values()):
         raise InputError(

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.engine.arrays import xp
@@ -158,9 +158,9 @@ def steel() -> Material:
     )
 
 
-def _rough_surface(fractal_dimension: Real, fractal_roughness: Real) -> Surface:
+def _rough_surface(fractal_dimension: Real, fractal_roughness: Real) -> Zou2025:
     """A surface with the paper's scaling parameter and the asperity base of equation (20)."""
-    return Surface(
+    return Zou2025(
         fractal_dimension=fractal_dimension,
         fractal_roughness=fractal_roughness,
         frequency_ratio=SCALING_PARAMETER,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from asperity.contact.fractal import Surface
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
@@ -44,7 +44,7 @@ class PublishedJoint(Module):
 
     geometry: DriveGeometry
     material: Material
-    surface: Surface
+    surface: Zou2025
     contact_length: Real
     friction_coefficient: Real
     ring_wall_thickness: Real

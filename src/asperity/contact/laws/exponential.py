@@ -1,0 +1,54 @@
+"""The law of randomly rough elastic surfaces with a decay length in proportion to the rms of their heights."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from asperity.contact.asperity import AsperityBase
+from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, decay_length
+from asperity.contact.laws.by_decay_length import ELASTIC_ERROR, ByDecayLength
+from asperity.contact.laws.law import DecayRatios, FromMeasurement, Quantity
+from asperity.types import Real
+
+if TYPE_CHECKING:
+    from asperity.contact.felt_contacts import FeltContacts
+    from asperity.surface.measured_roughness import MeasuredRoughness
+
+
+class Exponential(ByDecayLength):
+    """Randomly rough elastic surfaces by the rms of their heights; (A10) of :doc:`/equations`."""
+
+    name: ClassVar[str] = "exponential"
+    rank: ClassVar[int] = 20
+    meaning: ClassVar[str] = "the law of randomly rough elastic surfaces, from the rms of their heights"
+    assumes: ClassVar[tuple[str, ...]] = (
+        "contact law exponential: randomly rough elastic surfaces, K_n = f N/(0.48 h), f from 1 to 2 because contacts "
+        "widen under load, K_t proportional to 1 - T/(mu N), h the rms height of both bodies together; h counts waves "
+        "shorter than the contact is wide, and along the axes up to the roll-off: longer ones make the joint look "
+        "softer",
+    )
+    assumes_of_average: ClassVar[str] = (
+        "contact law exponential with roughness_average: normally distributed heights, h = 1.2533 Ra of both bodies "
+        "together; D has no influence, and waves longer than the cut-off of Ra are not included"
+    )
+    needs: ClassVar[tuple[str, ...]] = ("rms_height",)
+    needs_words: ClassVar[str] = "the rms of the heights"
+    default_for: ClassVar[tuple[str, ...]] = ("rms_height", "roughness_average", "measurement")
+    from_measurement: ClassVar[FromMeasurement] = "heights"
+    over_boundary_elements: ClassVar[tuple[float, float]] = OVER_BOUNDARY_ELEMENTS
+    error: ClassVar[str] = ELASTIC_ERROR.format(*OVER_BOUNDARY_ELEMENTS)
+
+    @classmethod
+    def of_surface(cls, numbers: Mapping[str, Real], *, asperity_base: AsperityBase) -> Self:
+        """The law on a surface of which the rms of the heights is known."""
+        return cls(decay_length(rms_height=numbers["rms_height"]))
+
+    @classmethod
+    def decay_ratios(
+        cls, measured: MeasuredRoughness, contacts: FeltContacts, quantity: Quantity
+    ) -> DecayRatios:
+        """0.48 of the heights at every contact."""
+        low, high = cls.over_boundary_elements
+        ends = (low * DECAY_LENGTH_RATIO, DECAY_LENGTH_RATIO, high * DECAY_LENGTH_RATIO)
+        return DecayRatios(dict.fromkeys(contacts.felt, ends), (), {})
