@@ -193,3 +193,99 @@ def test_a_law_that_does_not_state_all_fails_when_it_is_imported(tmp_path, line,
     assert done.returncode != 0
     *_, last = done.stderr.strip().splitlines()
     assert last.startswith(f"TypeError: {file}: the contact law Greenwood1966 does not state {lacks}")
+
+
+KEY = """
+    keys = (
+        SurfaceKey(
+            "summit_share", "Summits' heights over all heights.", "dimensionless", "1", 0.1, 1.0, "0.7"
+        ),
+    )
+"""
+#: The same law of a number that no other takes, which it states itself.
+WITH_KEY = (
+    LAW.replace("import ContactLaw\n", "import ContactLaw, SurfaceKey\n")
+    .replace('needs = ("rms_height",)\n', 'needs = ("rms_height", "summit_share")\n' + KEY)
+    .replace('cls(numbers["rms_height"])', 'cls(numbers["rms_height"] * numbers["summit_share"])')
+)
+
+
+@pytest.fixture(scope="module")
+def with_key(copy, tmp_path_factory):
+    """A copy with the law that states a key, and joint files with and without it."""
+    folder = package_copy(tmp_path_factory.mktemp("law_with_key"))
+    (folder / "asperity/contact/laws/greenwood_1966.py").write_text(WITH_KEY, encoding="utf-8")
+    text = (copy / "heights_by_it.toml").read_text(encoding="utf-8")
+    for name, surface in {
+        "key": 'rms_height = "0.2 um"\nsummit_share = 0.7',
+        "lacking": 'rms_height = "0.2 um"',
+        "alone": "summit_share = 0.7",
+        "beyond": 'rms_height = "0.2 um"\nsummit_share = 7',
+    }.items():
+        changed = text.replace('rms_height = "0.2 um"', surface)
+        (folder / f"{name}.toml").write_text(changed, encoding="utf-8")
+    return folder
+
+
+@pytest.mark.slow
+def test_a_key_of_the_law_itself(copy, with_key):
+    """0.7 of the heights by the law that has no such key; the exponential law on the same file has all of them."""
+    assert changed_files(with_key) == {"contact/laws/greenwood_1966.py"}
+    found = document(with_key, "key")
+    smoother = (copy / "heights_by_it.toml").read_text(encoding="utf-8").replace('"0.2 um"', '"0.14 um"')
+    (copy / "smoother.toml").write_text(smoother, encoding="utf-8")
+    same = document(copy, "smoother")
+    for one in ("low_Nm_per_rad", "high_Nm_per_rad"):
+        ends = [document["stiffness_interval"]["assembly"][one] for document in (found, same)]
+        assert ends[0] == pytest.approx(ends[1], rel=1e-9)
+    stiffness = [
+        document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] for document in (found, same)
+    ]
+    assert stiffness[0] == pytest.approx(stiffness[1], rel=1e-9)
+    assert [entry["law"] for entry in found["contact_laws"]] == ["greenwood_1966", "exponential"]
+    assert found["input"]["surface"]["summit_share"] == 0.7
+    schema = json.loads(run(with_key, "schema", "--type", "planetary").stdout)
+    entry = schema["$defs"]["SurfaceEntry"]["properties"]["summit_share"]
+    assert entry["description"] == "Summits' heights over all heights."
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (
+            "lacking",
+            'while surfaces state rms_height: leave contact_law out, state "exponential", or give rms_height, '
+            "summit_share of all contacts; roughness_average stands for rms_height",
+        ),
+        (
+            "alone",
+            "surface.summit_share: the contact law greenwood_1966 takes it with rms_height, summit_share: give",
+        ),
+        ("beyond", "surface.summit_share: 7 is not allowed; it must be at least 0.1 and at most 1"),
+    ],
+)
+def test_a_key_that_is_missing_or_out_of_its_range(with_key, name, said):
+    done = run(with_key, "joint", f"{name}.toml")
+    assert done.returncode == 2
+    assert said in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"dimensionless"', '"furlong"', "states surface.summit_share of the dimension 'furlong'; known are"),
+        (
+            '"dimensionless", "1"',
+            '"length", "kg"',
+            "states surface.summit_share, a length, in 'kg', which is no unit",
+        ),
+        (KEY, "", "takes summit_share, which is no key of [surface]: state it in its keys"),
+    ],
+)
+def test_a_key_that_is_none_fails_when_it_is_imported(tmp_path, old, new, said):
+    folder = package_copy(tmp_path)
+    file = folder / "asperity/contact/laws/greenwood_1966.py"
+    assert old in WITH_KEY
+    file.write_text(WITH_KEY.replace(old, new), encoding="utf-8")
+    *_, last = run_python(folder, "import asperity.joint_file.reader").stderr.strip().splitlines()
+    assert last.startswith(f"TypeError: {file}: the contact law greenwood_1966 {said}")

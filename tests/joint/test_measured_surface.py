@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from asperity.cli.commands import asperity as command
+from asperity.contact.laws.zou_2025 import Zou2025
 from asperity.errors import InputError
 from asperity.joint import measured_surface as module
 from asperity.joint.measured_surface import measured_surface, stiffness_interval
@@ -58,7 +59,7 @@ def test_draws_beyond_the_dimensions_of_profiles_are_counted(monkeypatch, dimens
     asked = []
     monkeypatch.setattr(module, "over_surfaces", lambda joint, surfaces, shape: asked.append(surfaces[0]))
     monkeypatch.setattr(module, "result_ends", lambda result, **_: {"unsolved": 0, "all_plastic": 0})
-    joint = SimpleNamespace(surfaces=[SimpleNamespace(asperity_base=1.0)])
+    joint = SimpleNamespace(surfaces=[Zou2025(1.4, 1e-11, 1.5, "circular_spot")])
     outside = stiffness_interval(joint, measurement(dimension, deviation=0.02))["outside"]
     assert outside == pytest.approx(45.5, abs=21.0)
     drawn = np.asarray(asked[0].fractal_dimension)

@@ -78,7 +78,7 @@ def test_the_law_of_every_surface(surface, law, chosen):
             "exponential",
             'state "zou_2025", or give rms_height of all contacts; roughness_average stands',
         ),
-        (LENGTH, "zou_2025", "needs D and G, which decay_length of a surface does not fix"),
+        (LENGTH, "zou_2025", "needs D and G, while surfaces state decay_length"),
         (dict.fromkeys(("sp", "pwr", "pwl", "wro", "wlo"), HEIGHT), "zou_2025", "leave contact_law out"),
     ],
 )

@@ -138,7 +138,7 @@ def interval_of_heights(
     """
     names, law_of_case = contacts_of(si_values(case)), LAWS[case.contact_law()]
     key = "decay_length" if "decay_length" in law_of_case.needs else "rms_height"
-    surfaces, shown = {}, {}
+    surfaces, shown, stated = {}, {}, dict(surface_entries(case))
     for path, (low, middle, high) in heights.items():
         least, here, most = ratios[path]
         height = np.array([low, high, middle, middle, low, high])
@@ -146,7 +146,9 @@ def interval_of_heights(
         softer[1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0) / (here * height[1:4:2])
         numbers = here * height if key == "decay_length" else height
         surface = surface_of(
-            {key: xp.asarray(numbers)}, asperity_base=case.model.asperity_base, contact_law=law_of_case.name
+            si_values(stated[path]) | {key: xp.asarray(numbers)},
+            asperity_base=case.model.asperity_base,
+            contact_law=law_of_case.name,
         )
         surfaces[path] = surface.softer(xp.asarray(softer))
         shown[path] = (numbers * softer)[:2]

@@ -11,6 +11,7 @@ from asperity.contact.laws.law import ContactLaw
 from asperity.contact.laws.registry import LAWS, law_for
 from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
+from asperity.joint_file.law_keys import LAW_OF_KEY, LawKeys, refuse_unknown_keys
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import Section
 from asperity.surface.measurement_of import WORDS, known_measurement_of
@@ -81,7 +82,7 @@ class MaterialEntry(Section):
         return self
 
 
-class SurfaceEntry(Section):
+class SurfaceEntry(LawKeys):
     """Roughness of a contact: D and G of both bodies together, the Ra of each, a length, or a measurement."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
@@ -121,13 +122,29 @@ class SurfaceEntry(Section):
         """The keys that have a value, one of a finish or of an Rz among them."""
         return frozenset(name for name, value in self if value is not None)
 
+    def _of_one_law(self) -> bool:
+        """Whether keys that one law states say all of the roughness; an ``InputError`` if one of them is missing."""
+        stated = self.stated_keys()
+        own = [key for key in LAW_OF_KEY if key in stated]
+        if not own or stated & {"fractal_roughness", "roughness_average"}:
+            return False
+        law = LAW_OF_KEY[own[0]]
+        missing = [key for key in law.needs if key not in stated]
+        if missing:
+            raise InputError(
+                f".{own[0]}: the contact law {law.name} takes it with {joined(list(law.needs))}: give "
+                f"{joined(missing)}, or leave {joined(own)} out"
+            )
+        return True
+
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
         for alone in ALONE:
             stated = getattr(self, alone)
             if stated is None:
                 continue
-            beside = self.model_fields_set - {alone, *(["measurement_of"] if alone == "measurement" else [])}
+            other = ("measurement_of",) if alone == "measurement" else tuple(LAW_OF_KEY)
+            beside = self.model_fields_set - {alone, *other}
             if beside:
                 raise InputError(
                     f"{alone} stands alone, it is all that a contact law takes of the surface; leave "
@@ -140,6 +157,8 @@ class SurfaceEntry(Section):
             return self
         if self.measurement_of is not None:
             raise InputError("measurement_of: only with measurement; leave it out")
+        if self._of_one_law():
+            return self
         for name in ("fractal_dimension", "frequency_ratio"):
             if getattr(self, name) is None:
                 raise InputError(f".{name}: this key is missing")
@@ -164,12 +183,15 @@ class SurfaceEntry(Section):
         return self
 
 
+refuse_unknown_keys(set(SurfaceEntry.model_fields))
+
+
 def one_kind_of_roughness(surface: Any) -> Any:
     """The surfaces of all contacts, which one law has to describe; or a refusal."""
     if isinstance(surface, Mapping):
         kinds: dict[str, list[str]] = {}
         for name, entry in surface.items():
-            kind = next((f"by {key}" for key in ALONE if getattr(entry, key)), "fractal")
+            kind = next((f"by {key}" for key in (*ALONE, *LAW_OF_KEY) if getattr(entry, key)), "fractal")
             if kind == "by measurement":
                 raise InputError(
                     f"{name}.measurement: a measured surface is that of all contacts; give it in [surface], without "
@@ -255,7 +277,7 @@ def served_laws(surfaces: Iterable[Collection[str]]) -> list[type[ContactLaw]]:
 
 def _told_keys(surfaces: list[Collection[str]]) -> str:
     """The keys that say how rough surfaces are."""
-    telling = ("fractal_roughness", "roughness_average", *ALONE)
+    telling = ("fractal_roughness", "roughness_average", *ALONE, *LAW_OF_KEY)
     return ", ".join(key for key in telling if any(key in keys for keys in surfaces))
 
 
@@ -264,10 +286,10 @@ def _unserved(law: type[ContactLaw], surfaces: list[Collection[str]], served: li
     needs = f'model.contact_law = "{law.name}" needs {law.needs_words}'
     if law.from_measurement == "decay_length":
         return f"{needs} beside the file, or surface.{' and '.join(law.needs)} in it, for all contacts"
-    choice = " or ".join(f'"{each.name}"' for each in served)
+    others = " or ".join(f'"{each.name}"' for each in served)
+    choice = f", state {others}" if served else ""
     average = [f"; roughness_average stands for {key}" for key in law.needs if key in OF_AVERAGE]
     return (
-        f"{needs}, which {_told_keys(surfaces)} of a surface does not fix: leave contact_law out"
-        f"{f', state {choice}' if served else ''}, or give {joined(list(law.needs))} of all contacts"
-        f"{''.join(average)}"
+        f"{needs}, while surfaces state {_told_keys(surfaces)}: leave contact_law out{choice}, or give "
+        f"{joined(list(law.needs))} of all contacts{''.join(average)}"
     )

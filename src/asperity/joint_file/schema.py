@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.case_types import CASES
+from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.material_entries import ALONE, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
@@ -104,10 +105,12 @@ def _offer_finishes(schema: Schema) -> None:
         "enum": list(read_finishes()),
     }
     heights = [{"required": ["roughness_average"]}, {"required": ["mean_roughness_depth"]}]
-    entry["oneOf"] = [{"required": [key]} for key in ("fractal_roughness", *ALONE)] + heights
+    own = [list(law.needs) for law in dict.fromkeys(LAW_OF_KEY.values()) if not {*law.needs} & {*ALONE}]
+    entry["oneOf"] = [{"required": keys} for keys in (["fractal_roughness"], *([key] for key in ALONE), *own)]
+    entry["oneOf"] += heights
     entry["anyOf"] = [
         {"required": keys}
-        for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], *([key] for key in ALONE))
+        for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], *([key] for key in ALONE), *own)
     ]
     entry["dependentSchemas"] = {
         name: {"anyOf": heights}

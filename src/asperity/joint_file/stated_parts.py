@@ -11,6 +11,7 @@ from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values, thermal_change_of
+from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.part_names import TRACKS, material_key
 from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
@@ -118,6 +119,11 @@ def surface_words(entry: Any) -> str:
     for words, quantity in (("Rq", entry.rms_height), ("decay length", entry.decay_length)):
         if quantity is not None:
             return f"{words} {_length(quantity)} of both bodies together"
+    of_law = [
+        f"{key.replace('_', ' ')} {getattr(entry, key).text}" for key in LAW_OF_KEY if getattr(entry, key)
+    ]
+    if entry.fractal_dimension is None:
+        return f"{', '.join(of_law)} of both bodies together"
     return (
         f"D {entry.fractal_dimension.value:.4g}, G {format_quantity(entry.fractal_roughness.value, 'm')} "
         "of both bodies together; no Ra stated"

@@ -54,6 +54,22 @@ _RATIOS = {"decay_ratios": "decay lengths on a measured surface"}
 Quantity = Callable[[float, str, int], str]
 
 
+class SurfaceKey(NamedTuple):
+    """A number of [surface] that no other law takes: a key of joint files while the law is there.
+
+    ``dimension``: its kind by the name in :class:`asperity.unit_table.Dimension`, "length"; ``lower`` and ``upper``,
+    the range that catches errors of typing, in ``unit``; ``example``: text that messages quote.
+    """
+
+    name: str
+    meaning: str
+    dimension: str
+    unit: str
+    lower: float
+    upper: float
+    example: str
+
+
 class DecayRatios(NamedTuple):
     """Decay lengths on a measured surface.
 
@@ -115,6 +131,8 @@ class ContactLaw(Module):
     needs: ClassVar[tuple[str, ...]]
     #: The same in words.
     needs_words: ClassVar[str]
+    #: Those of them that no joint file has without the law.
+    keys: ClassVar[tuple[SurfaceKey, ...]] = ()
     #: Keys of [surface] for which it is the law of a file that states none; empty for a law that has to be asked for.
     default_for: ClassVar[tuple[str, ...]]
     from_measurement: ClassVar[FromMeasurement]
