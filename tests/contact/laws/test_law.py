@@ -40,12 +40,19 @@ def test_a_law_states_everything(name):
     [
         ({"needs": ("rms_height",)}, r"softer \("),
         ({"needs": ("decay_length",)}, r"softer \("),
-        ({"from_measurement": "heights"}, r"decay_ratios \("),
-        ({"from_measurement": "decay_length"}, r"decay_ratios \("),
+        ({"from_measurement": "heights", "needs": ("rms_height",)}, r"decay_ratios \("),
+        ({"from_measurement": "decay_length", "needs": ("decay_length",)}, r"decay_ratios \("),
     ],
 )
 def test_what_follows_from_what_it_takes(changed, lacks):
     with pytest.raises(TypeError, match=lacks):
+        type("Rival", (ContactLaw,), STATED | changed)
+
+
+def test_a_measurement_gives_what_the_law_needs():
+    changed = {"from_measurement": "fractal", "needs": ("fractal_dimension", "skewness")}
+    said = "Rival needs fractal_dimension, skewness, while from_measurement = 'fractal' gives"
+    with pytest.raises(TypeError, match=said):
         type("Rival", (ContactLaw,), STATED | changed)
 
 

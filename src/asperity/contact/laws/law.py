@@ -27,6 +27,13 @@ if TYPE_CHECKING:
 #: feels; the decay length of each contact, which the law finds itself; or nothing.
 FromMeasurement = Literal["fractal", "heights", "decay_length", "nothing"]
 
+#: The keys of a joint file for each of them.
+_OF_MEASUREMENT: dict[FromMeasurement, tuple[str, ...]] = {
+    "fractal": ("fractal_dimension", "fractal_roughness", "frequency_ratio"),
+    "heights": ("rms_height",),
+    "decay_length": ("decay_length",),
+    "nothing": (),
+}
 #: What every law states → what that is.
 _STATED = {
     "name": "its name in model.contact_law",
@@ -154,9 +161,14 @@ class ContactLaw(Module):
         measured = getattr(cls, "from_measurement", "") in ("heights", "decay_length")
         asked = _STATED | (_SOFTER if by_length else {}) | (_RATIOS if measured else {})
         missing = [f"{name} ({what})" for name, what in asked.items() if not _states(cls, name)]
+        said = f"{file_of(cls)}: the contact law {cls.__name__}"
         if missing:
+            raise TypeError(f"{said} does not state {', '.join(missing)}")
+        given = _OF_MEASUREMENT[cls.from_measurement]
+        if given and not set(cls.needs) <= set(given):
             raise TypeError(
-                f"{file_of(cls)}: the contact law {cls.__name__} does not state {', '.join(missing)}"
+                f"{said} needs {', '.join(cls.needs)}, while from_measurement = {cls.from_measurement!r} gives "
+                f"{', '.join(given)}"
             )
 
     #: Whether it is no law, but what several laws share.
