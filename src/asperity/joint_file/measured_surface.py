@@ -183,7 +183,8 @@ def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
 
 def _without_lay(spectrum: HeightSpectrum, measured: MeasuredRoughness) -> str:
     """What to do about a profile whose lay is not known."""
-    remedy = '; or state model.contact_law = "zou_2025", which takes the measured D and G whatever the lay'
+    law = law_for("fractal_roughness").name
+    remedy = f'; or state model.contact_law = "{law}", which takes the measured D and G whatever the lay'
     if measured.fractal is None:
         remedy = ""
     return (

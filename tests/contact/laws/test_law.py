@@ -56,6 +56,11 @@ def test_a_measurement_gives_what_the_law_needs():
         type("Rival", (ContactLaw,), STATED | changed)
 
 
+def test_sentences_and_keys_are_tuples():
+    with pytest.raises(TypeError, match="Rival states assumes, which is a tuple, in another way"):
+        type("Rival", (ContactLaw,), STATED | {"assumes": "one sentence"})
+
+
 def test_all_that_is_missing_is_one_message():
     with pytest.raises(TypeError, match=r"name .*rank .*slip_exponent .*rough_contact"):
         type("Rival", (ContactLaw,), {})

@@ -51,6 +51,8 @@ _STATED = {
     "of_surface": "how it is made from the numbers of a surface",
     "rough_contact": "stiffnesses and areas under load",
 }
+#: Which of them are tuples of texts.
+_TUPLES = ("assumes", "needs", "default_for")
 #: What else laws state that take the rms of the heights or a decay length, since their interval holds their error.
 _SOFTER = {"softer": "the same surface with asperities that yield more"}
 #: What else laws state that take the heights or the waves of a measured surface.
@@ -164,6 +166,9 @@ class ContactLaw(Module):
         said = f"{file_of(cls)}: the contact law {cls.__name__}"
         if missing:
             raise TypeError(f"{said} does not state {', '.join(missing)}")
+        texts = [name for name in _TUPLES if not isinstance(getattr(cls, name), tuple)]
+        if texts:
+            raise TypeError(f"{said} states {', '.join(texts)}, which is a tuple, in another way")
         given = _OF_MEASUREMENT[cls.from_measurement]
         if given and not set(cls.needs) <= set(given):
             raise TypeError(
