@@ -98,3 +98,20 @@ def page(chromium, served):
     yield found
     context.close()
     assert errors == []
+
+
+@pytest.fixture(scope="session")
+def described_as():
+    """Check that an answer is what the interface says of it by a name, no entry more or less."""
+    import jsonschema
+
+    from asperity.page.openapi import openapi
+
+    components = openapi()["components"]
+
+    def check(name, answer):
+        jsonschema.validate(answer, {"$ref": f"#/components/schemas/{name}", "components": components})
+        schema = components["schemas"][name]
+        assert set(answer) == set(schema["properties"]) == set(schema["required"])
+
+    return check

@@ -116,8 +116,9 @@ def test_the_end_of_the_server_ends_all(jobs):
         begin(jobs)
 
 
-def test_seconds_count_from_the_start_to_the_end(monkeypatch):
+def test_seconds_count_from_the_start_to_the_end(monkeypatch, described_as):
     job = module.Job("a", "design", "a.toml", Slow("design", {}, {}))
+    described_as("Job", job.told())
     assert job.told()["seconds"] == 0.0
     job.started = 100.0
     monkeypatch.setattr(module.time, "monotonic", lambda: 102.54)
@@ -154,9 +155,9 @@ def test_a_design_takes_the_joint_of_the_page(joint_text):
 @pytest.mark.parametrize(
     ("job", "said"),
     [
-        (None, "an object 'job'"),
-        ({"kind": "mine"}, "job.kind"),
-        ({"kind": "sensitivity", "samples": 3}, "has no entry 'samples'"),
+        (None, "job: a JSON object with 'kind' is needed, got None"),
+        ({"kind": "mine"}, "job.kind: 'mine' is not one of design, sensitivity, uncertainty"),
+        ({"kind": "sensitivity", "samples": 3}, "job: unknown entry 'samples'; known are kind"),
         ({"kind": "uncertainty", "samples": 3}, "from 100 to 1000000"),
         ({"kind": "uncertainty", "samples": True}, "job.samples"),
         ({"kind": "uncertainty", "seed": -1}, "job.seed"),

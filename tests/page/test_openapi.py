@@ -3,7 +3,9 @@
 import jsonschema
 import pytest
 
-from asperity.page.openapi import _job_schema, openapi
+from asperity.errors import InputError
+from asperity.page import requests
+from asperity.page.openapi import openapi
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +35,7 @@ def test_every_schema_is_one(described):
 
 
 def test_a_request_has_a_file_or_its_tables(described):
-    schema = described["components"]["schemas"]["Request"]
+    schema = whole(described, "Request")
     jsonschema.validate({"toml": "", "changes": {"load.preload": "900 N"}}, schema)
     for wrong in ({}, {"toml": "", "joint": {}}, {"toml": "", "chart": {}}, {"toml": 3}):
         with pytest.raises(jsonschema.ValidationError):
@@ -57,11 +59,40 @@ def test_every_address_of_the_application_is_described(described, joint_text):
     assert served == {(path, method) for path, methods in described["paths"].items() for method in methods}
 
 
-def test_states_of_a_job():
-    schema = _job_schema()
-    jsonschema.validate({"id": "a", "state": "running", "done": 3, "total": 10, "result": None}, schema)
+def whole(described, name):
+    """The schema of a component, with those to which it refers."""
+    return {"$ref": f"#/components/schemas/{name}", "components": described["components"]}
+
+
+def test_states_of_a_job(described):
+    schema = whole(described, "JobWithResult")
+    job = {"id": "a", "kind": "design", "name": "a.toml", "state": "running", "done": 3, "total": 10}
+    job |= {"seconds": 2.5, "message": "", "result": None}
+    jsonschema.validate(job, schema)
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate({"state": "lost"}, schema)
+        jsonschema.validate(job | {"state": "lost"}, schema)
+
+
+@pytest.mark.parametrize(
+    ("name", "entries", "kept"),
+    [
+        ("ChartRequest", {"chart": {"over": "a.b", "from": "1 N", "to": "2 N", "result": "mass"}}, True),
+        ("ChartRequest", {"chart": {"over": "a.b", "from": "1 N", "result": "mass"}}, False),
+        ("ChartRequest", {}, False),
+        ("JobRequest", {"job": {"kind": "uncertainty", "samples": 100}}, True),
+        ("JobRequest", {"job": {"kind": "uncertainty", "samples": 99}}, False),
+        ("JobRequest", {"job": {"kind": "sensitivity", "samples": 100}}, False),
+    ],
+)
+def test_the_schema_says_what_the_model_takes(described, name, entries, kept):
+    body, model = {"toml": "x", **entries}, getattr(requests, name)
+    problems = list(jsonschema.Draft202012Validator(whole(described, name)).iter_errors(body))
+    assert (not problems) is kept
+    if kept:
+        assert requests.checked(model, body).toml == "x"
+    else:
+        with pytest.raises(InputError):
+            requests.checked(model, body)
 
 
 def test_limits_are_told(described):

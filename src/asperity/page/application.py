@@ -19,6 +19,7 @@ from starlette.routing import Route
 from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
+from asperity.page.answers import DOWNLOADS
 from asperity.page.chart import chart_answer, chart_request, chart_results
 from asperity.page.comparison import comparison_answer, comparison_request
 from asperity.page.computation import MOST_WAITING, Computations, KeptAnswers
@@ -53,14 +54,6 @@ ASSETS: dict[str, tuple[str, str]] = {
         )
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),
-}
-
-#: What can be downloaded of a joint, and its type: joint file, JSON document, report.
-DOWNLOADS = {
-    "toml": "application/toml",
-    "json": "application/json",
-    "html": "text/html; charset=utf-8",
-    "pdf": "application/pdf",
 }
 
 #: Time that a request waits for its computation [s]; the first one of an installation compiles.

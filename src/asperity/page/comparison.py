@@ -6,16 +6,15 @@ from typing import Any
 
 from asperity.api.comparison import compare
 from asperity.api.joint import DescribedJoint
-from asperity.errors import InputError
-from asperity.page.joint_request import JointRequest, joint_request
+from asperity.page.joint_request import JointRequest, asked_joint
+from asperity.page.requests import CompareRequest, checked
 from asperity.views.blocks import Block, BlockDocument, Paragraph, block_documents
 
 
-def comparison_request(body: Any) -> list[JointRequest]:
-    """The two joints of a JSON body, checked."""
-    if not isinstance(body, dict) or set(body) != {"one", "other"}:
-        raise InputError("the body must be a JSON object with two joints, 'one' and 'other'")
-    return [joint_request(body[side]) for side in ("one", "other")]
+def comparison_request(body: object) -> list[JointRequest]:
+    """The two joints of a JSON body; an ``InputError`` where it is none of its model."""
+    request = checked(CompareRequest, body)
+    return [asked_joint(request.one), asked_joint(request.other)]
 
 
 def comparison_answer(one: JointRequest, other: JointRequest) -> dict[str, Any]:

@@ -10,12 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from asperity.errors import AsperityError, InputError, quoted
+from asperity.errors import AsperityError, InputError
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import parse_distribution
 from asperity.page.child import LONGEST_END, Child, StoppedError, file_name
 from asperity.page.computation import BusyError
-from asperity.page.joint_request import JointRequest, joint_request
+from asperity.page.joint_request import JointRequest, asked_joint
+from asperity.page.requests import DesignJob, JobRequest, UncertaintyJob, checked
 from asperity.reading import parse_toml
 from asperity.study.tolerances.uncertainty import toleranced_inputs
 
@@ -23,9 +24,6 @@ from asperity.study.tolerances.uncertainty import toleranced_inputs
 MOST_JOBS = 6
 #: Jobs whose results are kept.
 MOST_KEPT_JOBS = 24
-#: Samples of an uncertainty.
-FEWEST_SAMPLES, MOST_SAMPLES = 100, 1_000_000
-KINDS = ("sensitivity", "uncertainty", "design")
 #: States in which nothing more happens.
 ENDED = ("done", "failed", "stopped")
 
@@ -142,58 +140,33 @@ class Jobs:
                 raise
 
 
-def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[str, Any]]:
-    """Check the JSON body of a request for a job."""
-    if not isinstance(body, dict) or not isinstance(body.get("job"), dict):
-        raise InputError("the body must be a JSON object with a joint and an object 'job'")
-    joint = joint_request({name: value for name, value in body.items() if name != "job"})
-    job = dict(body["job"])
-    kind = job.pop("kind", None)
-    if kind not in KINDS:
-        raise InputError(f"job.kind: {quoted(kind)} is not one of {', '.join(KINDS)}")
-    allowed = {
-        "sensitivity": (),
-        "uncertainty": ("samples", "seed", "distribution"),
-        "design": ("design", "file"),
-    }
-    unknown = sorted(set(job) - set(allowed[kind]))
-    if unknown:
-        raise InputError(f"job: a {kind} has no entry {quoted(unknown[0])}")
+def job_request(body: object) -> tuple[str, JointRequest, dict[str, bytes], dict[str, Any]]:
+    """What a job does, its joint, its files and options, by the JSON body of a request.
+
+    An ``InputError`` where the body is none of its model, or the joint or the job is wrong.
+    """
+    request = checked(JobRequest, body)
+    joint, job = asked_joint(request), request.job
     case = joint.solved_case()  # says at once what is wrong
     text, measured = joint.file_text().encode(), joint.measurement_file()
-    if kind == "sensitivity":
-        return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text} | measured, {}
-    if kind == "design":
-        return kind, joint, _design_files(job, text, case) | measured, {}
-    samples, seed, distribution = job.get("samples", 1000), job.get("seed", 0), job.get("distribution", "")
-    for name, value, low, high in (
-        ("samples", samples, FEWEST_SAMPLES, MOST_SAMPLES),
-        ("seed", seed, 0, 2**31),
-    ):
-        if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-            raise InputError(
-                f"job.{name}: a whole number from {low} to {high} is needed, got {quoted(value)}"
-            )
-    if not isinstance(distribution, str) or len(distribution) > 80:
-        raise InputError("job.distribution: a text such as 'uniform' is needed")
-    # refuses at once what the job would refuse once it runs
-    toleranced_inputs(case, otherwise=parse_distribution(distribution) if distribution else None)
-    options = {"samples": samples, "seed": seed, "distribution": distribution}
-    return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text} | measured, options
+    if isinstance(job, DesignJob):
+        return job.kind, joint, _design_files(job, text, case) | measured, {}
+    if isinstance(job, UncertaintyJob):
+        # refuses at once what the job would refuse once it runs
+        toleranced_inputs(case, otherwise=parse_distribution(job.distribution) if job.distribution else None)
+    files = {file_name(joint.name, otherwise="joint.toml"): text} | measured
+    return job.kind, joint, files, job.model_dump(exclude={"kind"})
 
 
-def _design_files(job: dict[str, Any], joint_text: bytes, case: Case) -> dict[str, bytes]:
+def _design_files(job: DesignJob, joint_text: bytes, case: Case) -> dict[str, bytes]:
     """The design file, checked, whose joint is replaced by that of the page, and the joint file."""
     import tomlkit
 
     from asperity.study.design.design_file import design_from_tables
 
-    text, name = job.get("design"), job.get("file", "design.toml")
-    if not isinstance(text, str) or not isinstance(name, str):
-        raise InputError("job.design: the text of a design file is needed")
-    name = file_name(name, otherwise="design.toml")
-    parse_toml(text, source=name)
-    document = tomlkit.parse(text)
+    name = file_name(job.file, otherwise="design.toml")
+    parse_toml(job.design, source=name)
+    document = tomlkit.parse(job.design)
     joint_file = "page-joint.toml" if name != "page-joint.toml" else "joint.toml"
     document["joint"] = joint_file
     try:

@@ -12,28 +12,19 @@ from typing import Any
 import tomlkit
 
 from asperity.errors import InputError, one_line, quoted
-from asperity.joint_file.case_types import CASES, WedgeCase
-from asperity.joint_file.choices import FINISH, choices_of
-from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_measurement
+from asperity.joint_file.edited_text import with_measurement
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.measured_surface import case_with_surface
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import type_of
 from asperity.joint_file.reader import case_from_tables
-from asperity.joint_file.section import models_of
-from asperity.joint_file.si_tables import key_at
+from asperity.page.key_changes import apply_changes, model_of
 from asperity.page.list_changes import MOST_LOADS, arrange, places_of_lists, rearranged_text, without_lists
+from asperity.page.requests import LONGEST_NAME, Request, checked
 from asperity.reading import check_depth, parse_toml
 from asperity.surface.measured_roughness import measurement_of, roughness_from_document, two_bodies
 
-#: What a file need not state beside the finish of all surfaces.
-_GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
-
 #: Name of the file of a measured surface beside a joint file that the page writes.
 MEASUREMENT_FILE = "measured_surface.json"
-MOST_CHANGES = 600
-LONGEST_VALUE = 200
-LONGEST_NAME = 120
 
 
 @dataclass(frozen=True)
@@ -93,9 +84,9 @@ class JointRequest:
                 f"{quoted(surface['measurement'])} on the page, too, and put it into the joint"
             )
         try:
-            places = places_of_lists(tables, self.changes, _model_of(tables))
+            places = places_of_lists(tables, self.changes, model_of(tables))
             arrange(tables, places)
-            _apply(tables, without_lists(self.changes, places))
+            apply_changes(tables, without_lists(self.changes, places))
         except InputError as error:
             raise InputError(f"{self.name}: {error}") from None
         loads = tables.get("duty")
@@ -138,73 +129,12 @@ class JointRequest:
     def stated_text(self) -> str:
         """The file with its changes and the surfaces that it states itself, with its comments and layout."""
         text = self.text or tomlkit.dumps(dict(self.tables))
-        places = places_of_lists(self.file_tables, self.changes, _model_of(self.file_tables))
+        places = places_of_lists(self.file_tables, self.changes, model_of(self.file_tables))
         for name, wanted in places.items():
             text = rearranged_text(text, wanted, name=name)
         document = tomlkit.parse(text)
-        _apply(document, without_lists(self.changes, places))
+        apply_changes(document, without_lists(self.changes, places))
         return tomlkit.dumps(document)
-
-
-def _model_of(tables: Mapping[str, Any]) -> type[Case]:
-    """Model of a joint file; that of the paper's drive where its type is none."""
-    kind = type_of(tables)
-    return CASES.get(kind, WedgeCase)
-
-
-def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
-    try:
-        kind, model = type_of(tables), _model_of(tables)
-        choices = choices_of(model, tables.get("bodies", {}))
-        numbers = {path: value for path, value in changes.items() if path not in choices}
-        empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
-        for path in empty:
-            for absent in (path, *_surface_paths(tables, path)):
-                leave_out(tables, absent)
-            del numbers[path]
-        set_texts(tables, numbers)
-        words = {path: str(value) for path, value in changes.items() if path in choices}
-        if FINISH in words and _surface_paths(tables, FINISH):
-            _set_finishes(tables, words.pop(FINISH))
-        set_words(tables, words)
-        for section in {
-            path.split(".")[0] for path in (*empty, *(path for path in words if not words[path]))
-        }:
-            if not model.model_fields[section].is_required() and not tables.get(section, True):
-                del tables[section]  # all its fields were emptied
-    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError("the changes do not fit the sections of this joint file") from None
-
-
-def _surface_paths(tables: Any, path: str) -> list[str]:
-    """A path of the surface of all contacts in the surfaces of a file that states one for each; else none."""
-    section, *rest = path.split(".")
-    surface = tables.get("surface", {})
-    named = [name for name in surface if isinstance(surface[name], Mapping)]
-    return [f"surface.{name}.{rest[0]}" for name in named] if section == "surface" and len(rest) == 1 else []
-
-
-def _set_finishes(tables: Any, word: str) -> None:
-    for path in _surface_paths(tables, FINISH):
-        if word:
-            tables["surface"][path.split(".")[1]]["finish"] = word
-        else:
-            leave_out(tables, path)
-
-
-def _may_be_absent(path: str, model: type[Case], kind: str) -> bool:
-    """Whether a number of the joint file, or its section, is optional, or given by a finish."""
-    if entered_key_at(path, kind) is None:
-        key_at(path, kind)
-    if path in _GIVEN_BY_FINISH or path.startswith("branch."):
-        return True
-    section, *_, name = path.split(".")
-    if not model.model_fields[section].is_required():
-        return True
-    models = models_of(model.model_fields[section].annotation)
-    return any(name in model.model_fields and not model.model_fields[name].is_required() for model in models)
 
 
 def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
@@ -223,43 +153,19 @@ def shown_name(name: str) -> str:
     return one_line(name)[:LONGEST_NAME] or "joint.toml"
 
 
-def joint_request(body: Any) -> JointRequest:
-    """The joint that the JSON body of a request asks about.
+def joint_request(body: object) -> JointRequest:
+    """The joint that the JSON body of a request asks about; an ``InputError`` where the body is none of its model."""
+    return asked_joint(checked(Request, body))
 
-    ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value), ``surfaces`` (documents of
-    measurements) and ``name``. An ``InputError`` is raised if an entry is missing, unknown or of the wrong kind.
-    """
-    if not isinstance(body, dict):
-        raise InputError("the body must be a JSON object with the joint file as 'toml' or 'joint'")
-    known = ("toml", "joint", "changes", "surfaces", "name")
-    if unknown := sorted(set(body) - set(known)):
-        raise InputError(f"unknown entry {quoted(unknown[0])}; known are {', '.join(known)}")
-    text, tables = body.get("toml", ""), body.get("joint", {})
-    changes, name = body.get("changes", {}), body.get("name", "joint.toml")
-    if not isinstance(text, str) or not isinstance(tables, dict) or bool(text.strip()) == bool(tables):
-        raise InputError(
-            "give the joint either as 'toml', the text of a joint file, or as 'joint', its tables"
-        )
-    if not isinstance(name, str) or not 0 < len(name) <= LONGEST_NAME:
-        raise InputError(f"'name' must be text of at most {LONGEST_NAME} characters")
-    if not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
-        raise InputError(f"'changes' must be an object of at most {MOST_CHANGES} dotted paths and values")
-    for path, value in changes.items():
-        if len(path) > LONGEST_VALUE:
-            raise InputError(
-                f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}"
-            )
-        if isinstance(value, bool) or not isinstance(value, str | int | float):
-            raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
-        if isinstance(value, str) and len(value) > LONGEST_VALUE:
-            raise InputError(f"{path}: a value has at most {LONGEST_VALUE} characters, got {len(value)}")
-    surfaces = body.get("surfaces", [])
-    if not isinstance(surfaces, list) or len(surfaces) > 2:
-        raise InputError(
-            "'surfaces' must be a list of one measured surface, or of one for each of two bodies"
-        )
-    for tree in (tables, *surfaces):
-        check_depth(tree, name)
+
+def asked_joint(request: Request) -> JointRequest:
+    """The joint of a checked request."""
+    for tree in (request.joint, *request.surfaces):
+        check_depth(tree, request.name)
     return JointRequest(
-        name=shown_name(name), text=text, changes=changes, tables=tables, surfaces=tuple(surfaces)
+        name=shown_name(request.name),
+        text=request.toml,
+        changes=request.changes,
+        tables=request.joint,
+        surfaces=tuple(request.surfaces),
     )

@@ -7,18 +7,17 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
 from asperity.page.child import LONGEST_END, Child, file_name
 from asperity.page.computation import Computations
 from asperity.page.joint_request import refuse_named_files, shown_name
+from asperity.page.requests import MeasurementQuery, checked
 from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.file_formats import signed_format
-from asperity.surface.height_spectrum import LAYS
 from asperity.surface.measured_roughness import roughness_document, roughness_from_document
 from asperity.surface.measurement import SCHEMA
-from asperity.surface.measurement_of import WORDS
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -28,14 +27,6 @@ LARGEST_RESULT = 8 * 1024**2
 #: Largest file of a surface [byte], and the time in which it must be measured [s].
 LARGEST_SURFACE = 64 * 1024**2
 LONGEST_MEASUREMENT = 120.0
-
-#: Choices of a measurement → their words.
-_WORDS = {
-    "lay": LAYS,
-    "direction": ("x", "y"),
-    "missing": ("refuse", "longest", "interpolate"),
-    "measurement_of": WORDS,
-}
 
 Kind = Literal["joint", "design", "measurement", "surface"]
 
@@ -147,14 +138,11 @@ def measured_upload(
 ) -> dict[str, Any]:
     """The measurement of the file of an instrument, or one made before, and the ``surface`` that a joint takes of it.
 
-    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, what happens with
-    ``missing`` points, and of what the measurement is, ``measurement_of``; empty if not stated.
+    ``units``: what a :class:`MeasurementQuery` has, as texts, empty if not stated.
     """
     refuse_downloads(content, name)
-    options: dict[str, Any] = {key: value for key, value in units.items() if value}
-    for key, words in _WORDS.items():
-        if options.get(key, words[0]) not in words:
-            raise InputError(f"{key}: {quoted(options[key])} is not one of {', '.join(words)}")
+    stated = checked(MeasurementQuery, {key: value for key, value in units.items() if value})
+    options: dict[str, Any] = stated.model_dump(exclude_unset=True)
     if "spacing" in options:
         options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)
     options["document"] = recognised(content, "") == "measurement"

@@ -18,6 +18,7 @@ from asperity.page.computation import Computations
 from asperity.page.guard import parsed, problem, require_type
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
 from asperity.page.joint_request import shown_name
+from asperity.page.requests import MeasurementQuery
 from asperity.page.upload import Measurements, opened_design, opened_joint, recognised
 
 #: Pause between two looks at a job that is watched [s], and the longest silence towards the browser [s].
@@ -28,11 +29,7 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
     """The addresses."""
 
     async def measured(request: Request, content: bytes, name: str) -> Response:
-        stated = (
-            *("position_unit", "height_unit", "spacing", "decimal", "column", "no_data"),
-            *("lay", "direction", "missing", "measurement_of"),
-        )
-        units = {key: request.query_params.get(key, "")[:40] for key in stated}
+        units = {key: request.query_params.get(key, "") for key in MeasurementQuery.model_fields}
         measurement = await measurements.run(content, name, units)
         return JSONResponse({"kind": "measurement", **measurement})
 
