@@ -60,6 +60,7 @@ ROWS = (
         value="preload",
         needs="geometry",
         note="with a loading cam, that under the output torque",
+        place="preload.force_N",
     ),
     _force(
         "interference",
@@ -69,6 +70,7 @@ ROWS = (
         "result.interference",
         needs="geometry",
         note="of smooth bodies: by how much the ring's inner radius lies below that at which all contacts just touch",
+        place="preload.interference_m",
     ),
     _force(
         "thermal_interference",
@@ -80,6 +82,7 @@ ROWS = (
         positive=False,
         note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
         "force",
+        place="",
     ),
     _force(
         "cam_angle",
@@ -90,12 +93,14 @@ ROWS = (
         needs="geometry",
         positive=False,
         note="of a cam without friction; 0 without one",
+        place="",
     ),
     _contact_force(
         "normal_force",
         "normal force of the contact",
         value="result.forces.normal",
         column=Column("forces", "normal"),
+        place="standing.forces.normal_N.*",
     ),
     _contact_force(
         "tangential_force",
@@ -103,6 +108,7 @@ ROWS = (
         value="result.forces.tangential",
         positive=False,
         column=Column("forces", "tangential"),
+        place="standing.forces.tangential_N.*",
     ),
     _newtons(
         "pin_force",
@@ -110,6 +116,7 @@ ROWS = (
         value="result.forces.pins",
         axis="pin",
         positive=False,
+        place="",
     ),
     _force(
         "input_torque",

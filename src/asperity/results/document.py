@@ -10,11 +10,8 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity.drive.layout.drive import Drive
-from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.state.loads import pin_components
 from asperity.drive.stiffness.loading_cam import held_cam_stiffness
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
 from asperity.engine import trees
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
@@ -25,16 +22,17 @@ from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
 from asperity.joint.temperature_limits import limits_document
 from asperity.joint.torque_limits import capacity_document
-from asperity.results import GROUPS, RESULTS, SEVERITIES
+from asperity.results import SEVERITIES
 from asperity.results.all_limits import all_checks
 from asperity.results.branch_document import branch_document
 from asperity.results.limit_check import LimitCheck
 from asperity.results.loads_document import bearing_entries, rim_entry
 from asperity.results.margins import margins, verdict_document
 from asperity.results.notes import Note
+from asperity.results.places import in_order, with_rows
+from asperity.results.rolling_document import rolling_document
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import torque_capacity_document
-from asperity.rolling.document import losses, rolling_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 from asperity.units import format_quantity, from_si
 
@@ -42,6 +40,9 @@ Document = dict[str, Any]
 
 #: Below this share of the compliance a spring is only the rounding of the others.
 NO_SHARE = 1e-12
+
+#: What the joint that turns and the whole document both have, where readers look first.
+_IN_ROLLING = ("speed_loss", "drift_rad_per_output_turn", "efficiency", "losses_W", "life_hours")
 
 #: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
 LEVEL_WORDS = (
@@ -146,34 +147,6 @@ def _note_document(note: Note) -> Document:
     return words | {"known": not math.isnan(note.value), "unit": words.pop("dimension").si_unit}
 
 
-def contact_documents(solved: SolvedJoint) -> Document:
-    """Every result of the contacts of a joint that stands but their forces, with its unit behind its name."""
-    columns = {
-        f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
-    }
-    return {
-        contact: {
-            name: np.broadcast_to(values, (len(solved.result.contact_names),))[index]
-            for name, values in columns.items()
-        }
-        for index, contact in enumerate(solved.result.contact_names)
-    }
-
-
-def _suffix(unit: str) -> str:
-    """A unit as the end of a key: N*m/rad is _Nm_per_rad."""
-    return "" if unit == "1" else "_" + unit.replace("*", "").replace("^", "").replace("/", "_per_")
-
-
-def torsional_stiffness_document(result: JointResult) -> Document:
-    """Torsional stiffness on all levels of the model."""
-    return {
-        "published": _stiffness(result.published),
-        "series_with_bulk": _stiffness(result.series_with_bulk),
-        "assembly": _stiffness(result.assembly.stiffness),
-    }
-
-
 def input_member(document: Document) -> str:
     """Name of the member that drives, in words, such as "sun"."""
     return str(document["geometry"]["input"]).replace("_", " ")
@@ -218,24 +191,6 @@ def stiffness_unknown_because(result: JointResult) -> str | None:
         "so no level of the model has a value: raise fractal_dimension or hardness, or lower fractal_roughness, or use "
         "boundary elements"
     )
-
-
-def _stiffness(stiffness: TorsionalStiffness) -> Document:
-    return {
-        "input_Nm_per_rad": stiffness.input,
-        "output_Nm_per_rad": stiffness.output,
-        "output_Nm_per_arcmin": stiffness.output_per_arcminute,
-    }
-
-
-def stiffness_budget(result: JointResult) -> Document:
-    """Shares of the assembly's compliance; they add up to 1."""
-    shares = vars(result.assembly).items()
-    return {
-        name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
-        for name, share in shares
-        if name.endswith("_share") and (isinstance(result, JointResult) or not RESULTS[name].needs_wedges)
-    }
 
 
 def plain_document(document: Document) -> Document:
@@ -307,121 +262,120 @@ def law_rows(document: Document, number: Callable[[float | None], str]) -> list[
 
 
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
-    """Everything that is known about a joint, ready for :func:`json.dumps`."""
-    joint, solution, branches = solved.joint, solved.solution, solved.branches
-    result, drive = solution.result, joint.drive
-    forward = float(joint.output_torque) >= 0.0
-    pinned = [drive.bodies[body].name for body in drive.pinned]
-    names = result.contact_names
-    checks, rims = all_checks(solved), _rims(solved)
-    document = plain_document(
+    """Everything that is known about a joint, ready for :func:`json.dumps`: the rows at their places, and the rest."""
+    joint, solution, result = solved.joint, solved.solution, solved.result
+    rims, limits = _rims(solved), limits_document(solved.temperature_limits)
+    document = with_rows(
         {
             "asperity_version": asperity.__version__,
             "of_own_branches": joint.unlike is not None,
             "verdict": verdict_document(margins(solved), rims, solved.material_names),
-            "mass_kg": solved.size.mass,
-            "envelope_diameter_m": solved.size.envelope_diameter,
+            **in_order("mass_kg envelope_diameter_m"),
             "input": inputs,
             "input_speed_rad_per_s": joint.input_speed,
             "assumptions": list(assumptions),
-            "geometry": {
-                "speed_ratio": result.speed_ratio,
-                "sectors": round(float(drive.sectors)) if joint.unlike is None else joint.unlike.sectors,
-                "input": drive.input,
-                "output": drive.output,
-                "grounded": drive.grounded,
-                "centres_m": {
-                    body.name: [float(x) for x in centre]
-                    for body, centre in zip(drive.bodies, np.asarray(drive.centres), strict=True)
-                },
-                "track_radii_m": {
-                    contact.name: {contact.first: one, contact.second: two}
-                    for contact, one, two in zip(
-                        drive.contacts,
-                        np.asarray(drive.first_radius),
-                        np.asarray(drive.second_radius),
-                        strict=True,
-                    )
-                },
-                **_wedge_document(drive),
-                "clearances": [
-                    {"name": name, "gap_m": gap}
-                    for name, gap in zip(solved.row_names("clearance"), solved.clearances, strict=True)
-                ],
-                "speeds_over_input": dict(zip(drive.members, np.asarray(result.speeds), strict=True)),
-            },
+            "geometry": _geometry(solved),
             "preload": {
-                "force_N": result.preload,
-                "interference_m": result.interference,
+                **in_order("force_N interference_m"),
                 "at_assembly": assembly_document(joint, _at_assembly(solved), solved.temperature_limits),
-                "temperature_limits": limits_document(solved.temperature_limits),
-                "loading_cam": None
-                if joint.cam is None
-                else {
-                    "least_preload_N": mean_preload(joint, result.rest.normal),
-                    "force_per_torque_N_per_Nm": joint.cam.force_per_torque,
-                    "angle_rad": result.cam_angle,
-                    "held_stiffness_output_Nm_per_rad": held_cam_stiffness(result.assembly),
-                },
+                "temperature_limits": limits,
+                "loading_cam": _loading_cam(joint, result),
             },
-            "standing": {
-                "forces": {
-                    "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
-                    "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
-                    "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
-                    "pin_N": {
-                        name: {"radial": radial, "tangential": tangential}
-                        for name, radial, tangential in zip(
-                            pinned, *pin_components(drive=drive, force=result.forces.pins), strict=True
-                        )
-                    },
-                    "input_torque_Nm": result.forces.input_torque,
-                    "output_torque_Nm": result.forces.output_torque,
-                    "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
-                    "output_speed_rad_per_s": result.output_speed,
-                    "balance_residual": result.forces.balance_residual,
-                    "closure_residual": result.forces.closure_residual,
-                },
-                "contacts": contact_documents(solved),
-            },
+            "standing": {"forces": _forces(solved), **in_order("contacts")},
             "torque_capacity": torque_capacity_document(solved),
             "standing_torque_capacity": capacities_document(solution, solution),
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": bearing_entries(solved),
             "rims": rims,
             **bound_document(joint),
-            "torsional_stiffness": torsional_stiffness_document(result),
-            "stiffness_unknown_because": stiffness_unknown_because(result),
-            "stiffness_budget": stiffness_budget(result),
-            "speed_loss": result.rolling.speed_loss,
-            "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
-            "efficiency": result.rolling.power.efficiency,
-            "losses_W": losses(result.rolling),
-            "life_hours": result.rolling.life_hours.drive,
-            "rolling": {
-                **rolling_document(joint, result),
-                "torque_capacity_Nm": (
-                    solution.rolling_capacity if forward else solution.reverse_rolling_capacity
-                ).output_torque,
+            "torsional_stiffness": {
+                level: {
+                    **in_order("input_Nm_per_rad output_Nm_per_rad"),
+                    "output_Nm_per_arcmin": stiffness.output_per_arcminute,
+                }
+                for level, stiffness in (
+                    ("published", result.published),
+                    ("series_with_bulk", result.series_with_bulk),
+                    ("assembly", result.assembly.stiffness),
+                )
             },
-            "diagnostics": diagnostic_documents(checks, solved.notes),
-        }
+            "stiffness_unknown_because": stiffness_unknown_because(result),
+            **in_order("stiffness_budget"),
+            **dict.fromkeys(_IN_ROLLING),
+            "rolling": rolling_document(solved),
+            "diagnostics": diagnostic_documents(all_checks(solved), solved.notes),
+        },
+        solved,
     )
-    return document if branches is None else document | {"branches": branch_document(branches, solution)}
+    document |= {key: document["rolling"][key] for key in _IN_ROLLING}
+    plain = plain_document(document)
+    return (
+        plain if solved.branches is None else plain | {"branches": branch_document(solved.branches, solution)}
+    )
+
+
+def _geometry(solved: SolvedJoint) -> Document:
+    """Places, radii and speeds of the bodies; ratio and angles wait for their rows."""
+    joint, drive = solved.joint, solved.joint.drive
+    radii = zip(drive.contacts, np.asarray(drive.first_radius), np.asarray(drive.second_radius), strict=True)
+    return {
+        **in_order("speed_ratio"),
+        "sectors": round(float(drive.sectors)) if joint.unlike is None else joint.unlike.sectors,
+        "input": drive.input,
+        "output": drive.output,
+        "grounded": drive.grounded,
+        "centres_m": {
+            body.name: [float(x) for x in centre]
+            for body, centre in zip(drive.bodies, np.asarray(drive.centres), strict=True)
+        },
+        "track_radii_m": {
+            contact.name: {contact.first: one, contact.second: two} for contact, one, two in radii
+        },
+        **in_order("alpha_rad theta_rad wedge_angle_rad"),
+        "clearances": [
+            {"name": name, "gap_m": gap}
+            for name, gap in zip(solved.row_names("clearance"), solved.clearances, strict=True)
+        ],
+        "speeds_over_input": dict(zip(drive.members, np.asarray(solved.result.speeds), strict=True)),
+    }
+
+
+def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
+    """The loading cam of a joint; None without one."""
+    if joint.cam is None:
+        return None
+    return {
+        "least_preload_N": mean_preload(joint, result.rest.normal),
+        "force_per_torque_N_per_Nm": joint.cam.force_per_torque,
+        "angle_rad": result.cam_angle,
+        "held_stiffness_output_Nm_per_rad": held_cam_stiffness(result.assembly),
+    }
+
+
+def _forces(solved: SolvedJoint) -> Document:
+    """Forces of the joint that stands; those with a row wait for it."""
+    drive, result = solved.joint.drive, solved.result
+    pinned = [drive.bodies[body].name for body in drive.pinned]
+    components = pin_components(drive=drive, force=result.forces.pins)
+    return {
+        "normal_without_torque_N": dict(
+            zip(result.contact_names, np.asarray(result.rest.normal), strict=True)
+        ),
+        **in_order("normal_N tangential_N"),
+        "pin_N": {
+            name: {"radial": radial, "tangential": tangential}
+            for name, radial, tangential in zip(pinned, *components, strict=True)
+        },
+        **in_order("input_torque_Nm"),
+        "output_torque_Nm": result.forces.output_torque,
+        **in_order("body_mass_kg output_speed_rad_per_s balance_residual closure_residual"),
+    }
 
 
 def _at_assembly(solved: SolvedJoint) -> Solution | None:
     """Solution at the temperature of assembly; None without one."""
     fit = solved.joint.fit
     return None if fit is None else solved.at_temperature(float(fit.assembly_temperature))
-
-
-def _wedge_document(drive: Drive) -> Document:
-    """Angles of the wedges of a drive that has them [rad]."""
-    if not wedges(drive):
-        return {}
-    angles = wedge_angles(drive)
-    return {"alpha_rad": angles.polar, "theta_rad": angles.direction, "wedge_angle_rad": angles.wedge}
 
 
 def capacities_document(forward: Solution, reverse: Solution) -> Document:

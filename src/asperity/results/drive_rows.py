@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Callable
 from typing import Any
@@ -23,13 +24,15 @@ _code = functools.partial(
 _LENGTH, _MASS = Dimension.LENGTH, Dimension.MASS
 
 
-def _angle(name: str, label: str) -> Result:
+def _angle(name: str, label: str, key: str) -> Result:
     """An angle of the wedges, by its name among them."""
 
     def value(solved: SolvedJoint) -> Any:
         return getattr(wedge_angles(solved.joint.drive), name)
 
-    return _geometry(f"{name}_angle", label, Dimension.ANGLE, "deg", value, needs_wedges=True)
+    return _geometry(
+        f"{name}_angle", label, Dimension.ANGLE, "deg", value, needs_wedges=True, place=f"geometry.{key}"
+    )
 
 
 def _capacities(reverse: bool, prefix: str, way: str, words: str) -> tuple[Result, ...]:
@@ -89,9 +92,9 @@ def _capacities(reverse: bool, prefix: str, way: str, words: str) -> tuple[Resul
 
 
 ROWS = (
-    _angle("polar", "angle alpha between planet and loading roller"),
-    _angle("direction", "direction theta from planet to loading roller"),
-    _angle("wedge", "wedge angle beta"),
+    _angle("polar", "angle alpha between planet and loading roller", "alpha_rad"),
+    _angle("direction", "direction theta from planet to loading roller", "theta_rad"),
+    _angle("wedge", "wedge angle beta", "wedge_angle_rad"),
     _geometry(
         "speed_ratio",
         "speed ratio, input over output",
@@ -107,6 +110,7 @@ ROWS = (
         Dimension.DIMENSIONLESS,
         "1",
         lambda solved: abs(solved.result.speed_ratio),
+        place="",
     ),
     _geometry(
         "output_speed",
@@ -115,6 +119,7 @@ ROWS = (
         "rpm",
         "result.output_speed",
         positive=False,
+        place="standing.forces.output_speed_rad_per_s",
     ),
     _geometry(
         "clearance",
@@ -126,6 +131,7 @@ ROWS = (
         positive=False,
         lowest_limit=0.0,
         note="free distance between two rollers; the joint exists where all are positive",
+        place="",
     ),
     _size(
         "envelope_diameter",
@@ -142,6 +148,7 @@ ROWS = (
         "mm",
         "size.envelope_length",
         note="nan where rollers are stepped: how far their tracks lie apart is not part of the description",
+        place="",
     ),
     _size(
         "envelope_volume",
@@ -150,11 +157,20 @@ ROWS = (
         "cm^3",
         "size.envelope_volume",
         note="nan where rollers are stepped",
+        place="",
     ),
     _size("mass", "mass of the rolling parts", _MASS, "kg", "size.mass"),
-    _size("body_mass", "mass of a body", _MASS, "g", "result.masses", axis="body"),
+    _size(
+        "body_mass",
+        "mass of a body",
+        _MASS,
+        "g",
+        "result.masses",
+        axis="body",
+        place="standing.forces.body_mass_kg.*",
+    ),
     *(
-        row
+        dataclasses.replace(row, place="")  # the document says them in words
         for reverse, prefix, words in ((False, "", "positive"), (True, "reverse_", "negative"))
         for row in _capacities(reverse, prefix, prefix.replace("_", " "), words)
     ),
@@ -170,5 +186,6 @@ ROWS = (
         used=("torque", "capacity"),
         note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
         "is contact_too_wide or wall_too_thin, standing or in rolling, at which only what is computed ends",
+        place="",
     ),
 )

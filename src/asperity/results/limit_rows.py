@@ -176,12 +176,14 @@ ROWS = (
         needs="balance",
         lowest_limit=1.0,
         note="mu N/T",
+        place="",
     ),
     _contact_ratio(
         "yield_safety",
         "safety factor against yield",
         value=lambda solved: 1.0 / solved.result.diagnostics.pressure_over_first_yield,
         note="first yield, 1.67 times the yield strength, over Hertz pressure",
+        place="",
     ),
     _residual(
         "balance_residual",
@@ -190,6 +192,7 @@ ROWS = (
         note="of the forces and torques on every body, relative to the largest force; equations (1) to (5) of the "
         "paper's drive",
         limit=_UNSOLVED(),
+        place="standing.forces.balance_residual",
     ),
     _residual(
         "closure_residual",
@@ -197,5 +200,6 @@ ROWS = (
         value="result.forces.closure_residual",
         note="of the lengths that the preload presses together, relative; equation (A3) of the paper's drive",
         limit=_UNSOLVED(),
+        place="standing.forces.closure_residual",
     ),
 )

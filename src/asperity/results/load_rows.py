@@ -92,6 +92,7 @@ ROWS = (
         "N",
         lambda solved: abs(solved.loads.pin),
         note=_STATE,
+        place="",
     ),
     _pin(
         "pin_bending_moment",
@@ -100,6 +101,7 @@ ROWS = (
         "N*m",
         lambda solved: pin_bending(solved.joint, solved.loads.pin)[0],
         note="nan without bearings.pin_length",
+        place="",
     ),
     _pin(
         "pin_bending_stress",
@@ -108,6 +110,7 @@ ROWS = (
         "MPa",
         lambda solved: pin_bending(solved.joint, solved.loads.pin)[1],
         note="nan without bearings.pin_length and pin_diameter",
+        place="",
     ),
     _pin(
         "bore_stiffness",
@@ -117,6 +120,7 @@ ROWS = (
         lambda solved: bore_stiffness(solved.joint, solved.result.forces.pins, solved.result.forces.normal),
         note="between the pin, standing under the torque, and forces spread over the rim; the pin's bending not "
         "counted; infinite without bearings.pin_diameter",
+        place="",
     ),
     _pin(
         "pin_contact_angle",
@@ -125,6 +129,7 @@ ROWS = (
         "deg",
         lambda solved: pin_contact_angles(solved.joint, solved.result.forces.pins),
         note="standing under the torque; nan without a force, and without bearings.pin_diameter",
+        place="",
     ),
     _load(
         "grounded_torque",
@@ -137,6 +142,7 @@ ROWS = (
         ),
         positive=False,
         note=f"positive in the sense in which the input turns; {_STATE}",
+        place="",
     ),
     _mounting(
         "mounting_force",
@@ -145,6 +151,7 @@ ROWS = (
         "N",
         lambda solved: solved.mounting().force,
         note="of a ring over its rollers: friction coefficient times normal force of all its contacts at the assembly",
+        place="",
     ),
     _mounting(
         "mounting_heating",
@@ -154,6 +161,7 @@ ROWS = (
         lambda solved: solved.mounting().heating,
         note="of a ring with its housing above the rest of the drive, which removes the interference without a gap; "
         "nan without thermal_expansion",
+        place="",
     ),
     _load(
         "mounting_cooling",
@@ -164,6 +172,7 @@ ROWS = (
         needs="geometry",
         note="of everything but the rings below the rings, which removes the interference without a gap; nan without "
         "thermal_expansion",
+        place="",
     ),
     _seat_pressure(
         "seat_pressure",
@@ -203,6 +212,7 @@ ROWS = (
         "N",
         "seats.force",
         note=f"a ring, at the assembly, at the end of the way; {_HOUSED}",
+        place="",
     ),
     _seat(
         "seat_heating",
@@ -210,6 +220,7 @@ ROWS = (
         *_KELVIN,
         "seats.heating",
         note=f"above a ring, which removes the interference without a gap; nan without thermal_expansion; {_HOUSED}",
+        place="",
     ),
     _seat(
         "seat_cooling",
@@ -217,6 +228,7 @@ ROWS = (
         *_KELVIN,
         "seats.cooling",
         note=f"of a ring, which removes the interference without a gap; nan without thermal_expansion; {_HOUSED}",
+        place="",
     ),
     _seat(
         "seat_bore_change",
@@ -225,12 +237,14 @@ ROWS = (
         "um",
         "seats.bore_change",
         note=f"of a ring, on the diameter, at the assembly; {_HOUSED}",
+        place="",
     ),
     _seat_pressure(
         "housing_stress",
         "largest hoop stress of the housing",
         value="seats.housing_stress",
         note=f"at its bore around a ring, by the fit alone; {_HOUSED}",
+        place="",
     ),
     _seat(
         "housing_yield_safety",
@@ -248,19 +262,27 @@ ROWS = (
         ),
     ),
     _bearing(
-        "bearing_load", "radial load of one bearing", Dimension.FORCE, "N", "bearings.load", note=_NEEDS
+        "bearing_load",
+        "radial load of one bearing",
+        Dimension.FORCE,
+        "N",
+        "bearings.load",
+        note=_NEEDS,
+        place="",
     ),
     _bearing_life(
         "bearing_life",
         "bearing basic rating life L10",
         value="bearings.life",
         note=f"ISO 281, without a_ISO, axial load and misalignment; nan where it stands; {_NEEDS}",
+        place="",
     ),
     _bearing_life(
         "bearing_duty_life",
         "bearing basic rating life L10 under the duty",
         value="bearings.duty_life",
         note=f"by Miner's sum; nan without a duty; {_NEEDS}",
+        place="",
     ),
     _bearing_ratio(
         "bearing_static_safety",
@@ -294,16 +316,23 @@ ROWS = (
             unknown=_NO_BEARING_LOAD,
         ),
     ),
-    _stress("rim_stress", "largest hoop stress of a ring or hollow roller", value=_larger("stress")),
+    _stress(
+        "rim_stress",
+        "largest hoop stress of a ring or hollow roller",
+        value=_larger("stress"),
+        place="",
+    ),
     _stress(
         "rim_stress_at_rest",
         "largest hoop stress of a ring or hollow roller by the preload alone",
         value=_larger("stress_at_rest"),
+        place="",
     ),
     _stress(
         "rim_stress_amplitude",
         "largest amplitude of the hoop stress at a point of a ring or hollow roller",
         value=_larger("amplitude"),
+        place="",
     ),
     _stress(
         "bore_stress",
@@ -312,6 +341,7 @@ ROWS = (
         note="tension positive, under the pressure of the pin too; nan without bearings.pin_diameter",
         present=_pressed,
         only="only hollow rollers of one track on pins of a stated diameter, bearings.pin_diameter, have it",
+        place="",
     ),
     _safety(
         "rim_yield_safety",

@@ -154,6 +154,10 @@ class Result:
         What its value is of the drive, if more than a value: an upper bound. Filled in likewise.
     column : Column or None
         Where it stands in the tables of the contacts that terminal, report, notebook and page show; None: in none.
+    place : str or None
+        Where it stands in the JSON document of a joint: dotted path with the unit at the end of the key, ``*`` for the
+        name of the row. None: by group, name and unit (:func:`asperity.results.places.place`); empty: nowhere, because
+        the document says it elsewhere in other words.
     """
 
     name: str
@@ -180,6 +184,7 @@ class Result:
     gives_way: bool = False
     bound: str = ""
     column: Column | None = None
+    place: str | None = None
 
     @property
     def said(self) -> str:

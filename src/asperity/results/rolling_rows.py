@@ -49,6 +49,7 @@ ROWS = (
         value="result.rolling.slip_ratio",
         note="friction used by skew is not counted as available",
         column=Column("rolling", "slip T/(mu N)"),
+        place="rolling.contacts.*.slip_ratio",
     ),
     _contact_ratio(
         "stick_fraction",
@@ -56,7 +57,10 @@ ROWS = (
         value="result.rolling.stick_fraction",
     ),
     _contact_force(
-        "rolling_normal_force", "normal force of the contact in rolling", value="result.rolling.normal"
+        "rolling_normal_force",
+        "normal force of the contact in rolling",
+        value="result.rolling.normal",
+        place="rolling.contacts.*.normal_N",
     ),
     _contact_force(
         "rolling_tangential_force",
@@ -64,6 +68,7 @@ ROWS = (
         value="result.rolling.tangential",
         positive=False,
         note="as the creepages share the torque",
+        place="rolling.contacts.*.tangential_N",
     ),
     _contact_force(
         "oil_drag",
@@ -116,6 +121,7 @@ ROWS = (
         "result.rolling.hertz_pressure",
         note="of Hertz under the rolling forces; shakedown and life are judged by it",
         column=Column("rolling", "pressure"),
+        place="rolling.contacts.*.hertz_pressure_Pa",
     ),
     _per_contact(
         "rough_peak_pressure",
@@ -170,6 +176,7 @@ ROWS = (
         "result.rolling.drift_per_output_turn",
         positive=False,
         note="angle by which creep makes the output lag; it accumulates turn by turn",
+        place="rolling.drift_rad_per_output_turn",
     ),
     _roll(
         "drift_rate",
@@ -179,6 +186,7 @@ ROWS = (
         "result.rolling.drift_rate",
         positive=False,
         note=_STANDING,
+        place="rolling.drift_rad_per_hour",
     ),
     _roll(
         "rolling_output_speed",
@@ -188,12 +196,14 @@ ROWS = (
         "result.rolling.output_speed",
         positive=False,
         note="without its sign",
+        place="rolling.output_speed_rad_per_s",
     ),
     _ratio(
         "rolling_residual",
         "residual of the rolling state",
         value="result.rolling.residual",
         differentiable=False,
+        place="rolling.residual",
     ),
     _contact_ratio(
         "shakedown_ratio",
@@ -208,6 +218,7 @@ ROWS = (
             highest=1.0,
             beyond="above its shakedown limit",
         ),
+        place="rolling.contacts.*.shakedown_ratio",
     ),
     _per_contact(
         "flash_temperature",
@@ -242,16 +253,41 @@ ROWS = (
     ),
     _loss("input_power", "input power", value="result.rolling.power.input", note=_STANDING),
     _loss("output_power", "output power", value="result.rolling.power.output", note=_STANDING),
-    _loss("total_loss", "total power loss", value="result.rolling.power.loss", note=_STANDING),
-    _loss("contact_loss", "power loss of the contact", value="result.rolling.power.contact", axis="contact"),
-    _loss("creep_loss", "power loss by creep", value="result.rolling.power.creep", axis="contact"),
-    _loss("skew_loss", "power loss by skew", value="result.rolling.power.skew", axis="contact"),
+    _loss(
+        "total_loss",
+        "total power loss",
+        value="result.rolling.power.loss",
+        note=_STANDING,
+        place="",
+    ),
+    _loss(
+        "contact_loss",
+        "power loss of the contact",
+        value="result.rolling.power.contact",
+        axis="contact",
+        place="rolling.contacts.*.losses_W.total",
+    ),
+    _loss(
+        "creep_loss",
+        "power loss by creep",
+        value="result.rolling.power.creep",
+        axis="contact",
+        place="rolling.contacts.*.losses_W.creep",
+    ),
+    _loss(
+        "skew_loss",
+        "power loss by skew",
+        value="result.rolling.power.skew",
+        axis="contact",
+        place="rolling.contacts.*.losses_W.skew",
+    ),
     _loss(
         "hysteresis_loss",
         "power loss by elastic hysteresis",
         value="result.rolling.power.hysteresis",
         axis="contact",
         note="nan without rolling.hysteresis_factor",
+        place="rolling.contacts.*.losses_W.hysteresis",
     ),
     _loss(
         "oil_loss",
@@ -259,23 +295,27 @@ ROWS = (
         value="result.rolling.power.oil",
         axis="contact",
         note="nan without lubrication.viscosity",
+        place="rolling.contacts.*.losses_W.oil",
     ),
     _loss(
         "bearing_loss",
         "power loss in bearings and pins",
         value="result.rolling.power.bearings",
         positive=False,
+        place="",
     ),
     _hours(
         "drive_life",
         "rating life of the drive",
         value=lambda solved: 3600.0 * solved.result.rolling.life_hours.drive,
         note=f"rolling-contact fatigue at the file's load, speed and reliability; {_STANDING}",
+        place="rolling.life_hours",
     ),
     _life(
         "life_turns",
         "rating life of the drive, in turns of the output",
         value="result.rolling.life_turns.drive",
+        place="rolling.life_output_turns",
     ),
     _hours(
         "contact_life",
@@ -283,6 +323,7 @@ ROWS = (
         value=lambda solved: 3600.0 * solved.result.rolling.life_hours.contact,
         axis="contact",
         note=f"of a track that all branches share, the part of this one; {_STANDING}",
+        place="rolling.contacts.*.life_hours",
     ),
     _life(
         "contact_life_turns",
@@ -290,12 +331,14 @@ ROWS = (
         value="result.rolling.life_turns.contact",
         axis="contact",
         column=Column("rolling", "life", unit_shown="output turns"),
+        place="rolling.contacts.*.life_output_turns",
     ),
     _life(
         "body_life_turns",
         "rating life of one body, in turns of the output",
         value="result.rolling.life_turns.body",
         axis="body",
+        place="rolling.body_life_output_turns.*",
     ),
     _hours(
         "body_life",
@@ -303,17 +346,20 @@ ROWS = (
         value=lambda solved: 3600.0 * solved.result.rolling.life_hours.body,
         axis="body",
         note=_STANDING,
+        place="rolling.body_life_hours.*",
     ),
     _hours(
         "duty_life",
         "rating life of the drive under the duty",
         value=lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
         note="nan without a duty",
+        place="rolling.duty_life_hours",
     ),
     _life(
         "duty_life_turns",
         "rating life of the drive under the duty, in turns of the output",
         value="result.rolling.duty_life_turns",
         note="nan without a duty",
+        place="rolling.duty_life_output_turns",
     ),
 )

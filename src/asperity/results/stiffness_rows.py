@@ -37,7 +37,13 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
     def stiffness(solved: SolvedJoint) -> Any:
         return operator.attrgetter(path)(solved.result).output
 
-    def row(name: str, label: str, dimension: Dimension, value: str | Callable[[SolvedJoint], Any]) -> Result:
+    def row(
+        name: str,
+        label: str,
+        dimension: Dimension,
+        value: str | Callable[[SolvedJoint], Any],
+        key: str = "",
+    ) -> Result:
         said, unit = f"{label}, {words}", dimension.si_unit
         return Result(
             f"{level}_{name}",
@@ -49,13 +55,26 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
             level=level,
             note=note,
             gives_way=level == "assembly",
+            place=f"torsional_stiffness.{level}.{key}" if key else "",
         )
 
     torsional = Dimension.TORSIONAL_STIFFNESS
     per_mass, per_volume = Dimension.TORSIONAL_STIFFNESS_PER_MASS, Dimension.TORSIONAL_STIFFNESS_PER_VOLUME
     return (
-        row("stiffness_output", "torsional stiffness at the output", torsional, f"result.{path}.output"),
-        row("stiffness_input", "torsional stiffness at the input", torsional, f"result.{path}.input"),
+        row(
+            "stiffness_output",
+            "torsional stiffness at the output",
+            torsional,
+            f"result.{path}.output",
+            "output_Nm_per_rad",
+        ),
+        row(
+            "stiffness_input",
+            "torsional stiffness at the input",
+            torsional,
+            f"result.{path}.input",
+            "input_Nm_per_rad",
+        ),
         row(
             "stiffness_per_mass", "output stiffness per mass", per_mass, lambda s: stiffness(s) / s.size.mass
         ),
@@ -69,15 +88,17 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
 
 
 def _share(name: str, words: str) -> Result:
+    of_contacts = name in ("tangential", "normal")
     return Result(
         f"{name}_share",
         f"share of {words} in the compliance",
         Dimension.DIMENSIONLESS,
         "1",
         f"result.assembly.{name}_share",
-        axis="contact" if name in ("tangential", "normal") else "one",
+        axis="contact" if of_contacts else "one",
         group="assembly",
         positive=False,
+        place=f"stiffness_budget.{name}_share{'.*' if of_contacts else ''}",
     )
 
 
@@ -92,6 +113,7 @@ ROWS = (
         group="assembly",
         gives_way=True,
         note="for torques too small to move the cam against the friction of its ramps; without a cam the assembly's",
+        place="",
     ),
     _share("tangential", "the contact's tangential spring"),
     _share("normal", "the contact's normal spring (rollers free to move)"),
