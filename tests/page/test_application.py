@@ -446,7 +446,6 @@ def test_the_interface_describes_its_answers(client, solve, described_as, joint_
     described_as("Answer", answer)
     described_as("Curves", answer["curves"])
     described_as("Windup", answer["windup"])
-    described_as("Margin", answer["margins"][0])
     described_as("Error", solve(load__preload="x").json())
     described_as("File", client.post("/api/file", content=joint_text.encode(), headers=kind).json())
     described_as("ResultOfChart", client.post("/api/results", json={"toml": joint_text}).json()[0])

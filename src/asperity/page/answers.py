@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from asperity.results.notes import Severity
+from asperity.views import blocks
 
 Number = float | None
 Document = dict[str, Any]
@@ -86,23 +86,12 @@ class File(Stated):
     toml: str = Field(description="Its text.")
 
 
-class Margin(_Described):
-    """What is required and reached, in the unit of the entry."""
+class Block(_Described):
+    """A part of what is shown, with the fields of its kind."""
 
-    name: str
-    label: str
-    place: str
-    unit: str
-    actual: Number
-    infinite: bool = Field(description="Whether the actual value is infinite; if so, it is null.")
-    lowest: Number
-    highest: Number
-    inclusive: bool = Field(description="Whether the bounds 'lowest' and 'highest' themselves are allowed.")
-    used: Number = Field(description="Share of the limit that is used.")
-    ok: bool
-    known: bool = Field(description="Whether it is known that the requirement is met or not.")
-    severity: Severity
-    state: str = Field(description="State of the joint where that is no failure.")
+    model_config = ConfigDict(extra="allow")
+
+    kind: str = Field(json_schema_extra={"enum": [kind.__name__.lower() for kind in get_args(blocks.Block)]})
 
 
 class CreepCurve(_Described):
@@ -153,7 +142,7 @@ class Answer(Stated):
     id: str = Field(description="For downloads.")
     document: Document = Field(description="As 'asperity joint FILE --json' prints it.")
     drawing: Document = Field(description="Circles and contact forces of the drive.")
-    margins: list[Margin]
+    views: dict[str, list[Block]] = Field(description="What each panel of the page shows, by its name.")
     creep: dict[str, CreepCurve] = Field(description="By contact.")
     curves: Curves
     windup: Windup | NoWindup
@@ -208,10 +197,10 @@ class Chart(_Described):
 
 
 class Comparison(_Described):
-    """Texts, and tables with title, head and rows."""
+    """Sentences and tables."""
 
-    parts: list[str | Document]
-    all_parts: list[str | Document] = Field(description="With every result that differs.")
+    parts: list[Block]
+    all_parts: list[Block] = Field(description="With every result that differs.")
     document: Document
 
 
