@@ -173,13 +173,8 @@ def _bearings(entry: Values | None) -> Bearings | None:
     if entry is None:
         return None
     stated: dict[str, Any] = {_BEARINGS.get(key, key): value for key, value in entry.items()}
-    return Bearings(
-        input_torque=stated.get("input_torque", 0.0),
-        roller_torque=stated.get("roller_torque", 0.0),
-        output_torque=stated.get("output_torque", 0.0),
-        pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
-        pin_friction_diameter=entry.get("pin_friction_diameter", stated.get("pin_diameter", 0.0)),
-    )
+    stated.setdefault("pin_friction_diameter", stated.get("pin_diameter", 0.0))
+    return Bearings(**{name: stated.get(name, 0.0) for name in Bearings.number_fields})
 
 
 def _on_pins(entry: Values, drive: Drive, shapes: tuple[BodyShape, ...]) -> tuple[BodyShape, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 from asperity.contact.asperity import AsperityBase
@@ -64,20 +65,22 @@ def rated_bearing(entry: Values | None) -> RatedBearing | None:
 
 
 def rolling_conditions(values: Values) -> RollingConditions:
-    """What the tables of a joint file say about rolling."""
+    """What the tables of a joint file say about rolling: numbers by the names of their keys, others as stated here."""
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
-    return RollingConditions(
-        skew=entries(rolling["skew"], contacts_of(values)) if "skew" in rolling else plain.skew,
-        hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
-        viscosity=oil.get("viscosity", plain.viscosity),
-        pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
-        roughness=film_roughness(values),
-        reliability=rolling.get("reliability", plain.reliability),
-        duty=tuple(
+    same = {key: value for key, value in {**oil, **rolling}.items() if key in RollingConditions.number_fields}
+    other = {
+        "skew": entries(rolling["skew"], contacts_of(values)) if "skew" in rolling else plain.skew,
+        "hysteresis_loss_factor": rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
+        "pressure_viscosity_coefficient": oil.get(
+            "pressure_coefficient", plain.pressure_viscosity_coefficient
+        ),
+        "roughness": film_roughness(values),
+        "duty": tuple(
             DutyPoint(load["output_torque"], load["sun_speed"], load["share"])
             for load in values.get("duty", {}).values()
         ),
-    )
+    }
+    return dataclasses.replace(plain, **(same | other))
 
 
 def film_roughness(values: Values) -> tuple[Any, ...] | None:
