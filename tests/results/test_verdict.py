@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from asperity.results import Limit, Result
-from asperity.results.document import verdict_words
 from asperity.results.margins import Margin, verdict_document
 from asperity.unit_table import Dimension
+from asperity.views.joint import verdict_words
 
 MET = "every requirement of function and strength is met."
 RING = "held ring fatigue (enter fatigue_strength of material 440C)"

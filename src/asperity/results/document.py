@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from asperity.engine import trees
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.loading_cam import mean_preload
-from asperity.joint.pin_bound import bound_document, bounded
+from asperity.joint.pin_bound import bound_document
 from asperity.joint.rims import bends
 from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
@@ -34,7 +34,7 @@ from asperity.results.rolling_document import rolling_document
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import torque_capacity_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
-from asperity.units import format_quantity, from_si
+from asperity.units import format_quantity
 
 Document = dict[str, Any]
 
@@ -43,13 +43,6 @@ NO_SHARE = 1e-12
 
 #: What the joint that turns and the whole document both have, where readers look first.
 _IN_ROLLING = ("speed_loss", "drift_rad_per_output_turn", "efficiency", "losses_W", "life_hours")
-
-#: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
-LEVEL_WORDS = (
-    ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
-    ("series_with_bulk", "asperities and bodies in series, roller centres fixed"),
-    ("published", "asperities alone, the level of Zou et al. 2025: an upper bound"),
-)
 
 
 _ELASTIC_BODIES = (
@@ -67,13 +60,6 @@ def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str
     return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
 
 
-def verdict_words(verdict: Document) -> str:
-    """The verdict of a document in sentences, and of the requirements that are met the one with the tightest margin."""
-    nearest = verdict["nearest"]
-    tightest = "" if nearest is None else f" Tightest margin: {nearest['words']}."
-    return f"{verdict['title']}: {verdict['words']}{tightest}"
-
-
 def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
     """Entries of crossed limits, those of the published contact law alone or all others, grouped by name and state."""
     crossed: dict[tuple[str, str], list[Document]] = {}
@@ -81,28 +67,6 @@ def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
         if not entry["ok"] and (entry["severity"] == "model") == model:
             crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
     return list(crossed.values())
-
-
-def law_range_words(document: Document) -> str:
-    """Where the published contact law is outside its range, which concerns the level of the asperities alone; or ""."""
-    crossed = crossed_limits(document, model=True)
-    if not crossed:
-        return ""
-    parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
-    remedies = [entry["remedy"] for entries in crossed for entry in entries if entry["remedy"]]
-    return "; ".join([f"asperities alone: outside the range of this law, {parts}", *remedies[:1]])
-
-
-def _largest(entries: list[Document]) -> str:
-    if any(entry.get("infinite") for entry in entries):
-        return "infinite"
-    known = [entry for entry in entries if entry["value"] is not None]
-    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"
-
-
-def has_elastic_bodies(document: Document) -> bool:
-    """Whether the joint of a document of :func:`joint_document` has elastic bodies rather than springs."""
-    return (document["input"].get("model") or {}).get("bodies") != "springs"
 
 
 def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
@@ -147,37 +111,6 @@ def _note_document(note: Note) -> Document:
     return words | {"known": not math.isnan(note.value), "unit": words.pop("dimension").si_unit}
 
 
-def input_member(document: Document) -> str:
-    """Name of the member that drives, in words, such as "sun"."""
-    return str(document["geometry"]["input"]).replace("_", " ")
-
-
-def level_words(document: Document) -> list[tuple[str, str]]:
-    """Levels of the torsional stiffness in words, the fullest first, with what bounds that of this joint."""
-    (fullest, words), *others = LEVEL_WORDS
-    return [(fullest, bounded(words, document["stiffness_bound"])), *others]
-
-
-def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
-    """Words and stiffness of each level of a joint of any drive, the fullest first.
-
-    Of a joint with a loading cam also of the assembly whose cam is held by its friction.
-    """
-    rows = [(words, document["torsional_stiffness"][level]) for level, words in level_words(document)]
-    cam = document["preload"]["loading_cam"]
-    if cam is not None:
-        output = cam["held_stiffness_output_Nm_per_rad"]
-        squared = document["geometry"]["speed_ratio"] ** 2
-        held = {
-            "input_Nm_per_rad": None if output is None else output / squared,
-            "output_Nm_per_rad": output,
-            "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
-        }
-        words = bounded("assembled, loading cam held by its friction", document["stiffness_bound"])
-        rows.append((words, held))
-    return rows
-
-
 def stiffness_unknown_because(result: JointResult) -> str | None:
     """Why a joint has no stiffness."""
     if bool(result.contact_law_holds):
@@ -208,57 +141,6 @@ def _plain(node: Any) -> Any:
         return node
     number = float(node)
     return number if math.isfinite(number) else None
-
-
-#: Heads of the columns of :func:`interval_rows`.
-INTERVAL_HEADS = (
-    "contact",
-    "K_n, both\nN/µm",
-    "K_n, law alone\nN/µm",
-    "K_n, heights alone\nN/µm",
-    "K_t, both\nN/µm",
-)
-
-
-def interval_rows(interval: Document) -> list[tuple[str, ...]]:
-    """Ends of the asperities' stiffnesses by the errors of contact law and heights, one row for each contact.
-
-    Cells below :data:`INTERVAL_HEADS`; none where the interval has no such parts.
-    """
-
-    def cell(ends: list[float]) -> str:
-        return " to ".join(f"{1e-6 * end:.3g}" if 1e-6 * end < 999.5 else f"{1e-6 * end:.0f}" for end in ends)
-
-    rows = []
-    for name, contact in interval.get("contacts", {}).items():
-        normal, tangential = (
-            contact[f"asperity_{direction}_stiffness_N_per_m"] for direction in ("normal", "tangential")
-        )
-        parts = [normal[part] for part in ("both", "contact_law", "rms_height")]
-        rows.append((name, *(cell(ends) for ends in (*parts, tangential["both"]))))
-    return rows
-
-
-#: Heads of the columns of :func:`law_rows`.
-LAW_HEADS = ("law", "assembled, output\nN·m/rad", "drift per turn\narcmin", "over boundary\nelements", "")
-
-
-def law_rows(document: Document, number: Callable[[float | None], str]) -> list[tuple[str, ...]]:
-    """The joint by every contact law that its surfaces allow, one row each, below :data:`LAW_HEADS`; none for one law.
-
-    ``number`` writes a number, or that there is none.
-    """
-    drifts = [entry["drift_rad_per_output_turn"] for entry in document.get("contact_laws", ())]
-    return [
-        (
-            entry["law"],
-            number(entry["assembly_Nm_per_rad"]),
-            number(None if drift is None else from_si(drift, "arcmin")),
-            " to ".join(f"{end:g}" for end in entry["over_boundary_elements"]),
-            "used here" if entry["used"] else "",
-        )
-        for entry, drift in zip(document.get("contact_laws", ()), drifts, strict=True)
-    ]
 
 
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:

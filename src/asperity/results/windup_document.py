@@ -98,12 +98,6 @@ def windup_document(
     }
 
 
-def stages_title(document: dict[str, Any]) -> str:
-    """Title of the table of K1 to K3 of :func:`windup_document`, with what bounds them."""
-    bound = document["stiffness_bound"]
-    return f"Stages of the loading curve (secant stiffness{f'; {bound}' if bound else ''})"
-
-
 def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
     """Torque capacities standing of both directions as positive torques [N·m], of :func:`windup_document`.
 

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from asperity.results.document import crossed_limits
 from asperity.results.margins import Margin
 from asperity.views.blocks import Block, Paragraph, Table, Warned, Warnings
 from asperity.views.numbers import quantity, words
@@ -22,15 +23,6 @@ ABOUT = {
     "model": "Contact law",
 }
 _NOT_CHECKED = "Not checked"
-
-
-def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
-    """Entries of crossed limits, those of the published contact law alone or all others, grouped by name and state."""
-    crossed: dict[tuple[str, str], list[Document]] = {}
-    for entry in document["diagnostics"]:
-        if not entry["ok"] and (entry["severity"] == "model") == model:
-            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
-    return list(crossed.values())
 
 
 def warnings(document: Document) -> Block:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.pin_bound import bounded
+from asperity.results.document import NO_SHARE, budget_words, crossed_limits
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.joint import input_member
-from asperity.views.limits import crossed_limits
 from asperity.views.numbers import number, number_in, percent, quantity, sentence, words
 from asperity.views.solved_view import SolvedView
 
 Document = dict[str, Any]
 
-#: Below this share of the compliance a spring is only the rounding of the others.
-NO_SHARE = 1e-12
 #: Share of the compliance below which a contact is not named beside its spring.
 _NAMED = 5e-4
 
@@ -37,13 +35,6 @@ _SPRINGS = {
     "output_shaft": "output shaft",
     "loading_cam": "loading cam",
 }
-_ELASTIC_BODIES = (
-    "the springs of a contact include the deformation of its whole bodies, such as the bending of a free ring"
-)
-_BELOW_ZERO = (
-    "a negative share: the other forces on its bodies deflect this spring against its own force; the shares add up to "
-    "100 %"
-)
 
 
 def stiffness(view: SolvedView) -> Iterator[Block]:
@@ -221,9 +212,3 @@ def _by_contact(where: dict[str, float]) -> str:
     """The contacts of a spring with their shares in percent, largest first."""
     parts = sorted(((part, name) for name, part in where.items() if abs(part) >= _NAMED), reverse=True)
     return ", ".join(f"{words(name)} {number(part, 100.0, digits=3)}" for part, name in parts)
-
-
-def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str:
-    """What the shares of the compliance [-] do not show, without a full stop; empty where they show it all."""
-    below = any(share is not None and share < -NO_SHARE for share in shares)
-    return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
