@@ -2,6 +2,7 @@
 
 import atexit
 import dataclasses
+import functools
 import gc
 import os
 import shutil
@@ -435,6 +436,42 @@ def skewed_planetary(planar_case):
     }
     solved, document = solve_case(planar_case("planetary", replaced=replaced))
     return solved.joint, solved.solution, document
+
+
+@pytest.fixture(scope="session")
+def view_of():
+    """Maker of what all views read of an example, by pairs of replaced pieces of its text and lines at its end.
+
+    Each is solved once.
+    """
+    from asperity.joint_file.reader import parse_case
+    from asperity.joint_file.solved_document import solve_with_surface
+    from asperity.joint_file.stated_parts import made_interference
+    from asperity.views.solved_view import SolvedView
+
+    @functools.cache
+    def view(name, *replaced, more=""):
+        text = (FILE.parent / f"{name}.toml").read_text(encoding="utf-8")
+        for old, new in replaced:
+            assert old in text, old
+            text = text.replace(old, new)
+        case = parse_case(text + more, source=f"{name}.toml")
+        solved, document = solve_with_surface(case)
+        return SolvedView(solved, document, made_interference(case, solved.result).size)
+
+    return view
+
+
+@pytest.fixture(scope="session")
+def paper_view(view_of):
+    """What all views read of the paper's example."""
+    return view_of("zou2025")
+
+
+@pytest.fixture(scope="session")
+def planetary_view(view_of):
+    """What all views read of the planetary example."""
+    return view_of("planetary")
 
 
 @pytest.fixture

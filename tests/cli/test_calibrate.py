@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli.calibrate import interval_digits
 from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
@@ -18,7 +17,6 @@ from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
-from asperity.units import format_quantity
 
 ARCMIN = np.pi / 10800.0
 DRIFT = Path(__file__).parents[2] / "examples" / "calibrate_drift.csv"
@@ -105,15 +103,6 @@ def test_columns_for_the_same_drift_give_the_same_preload(folder):
         )
         found.append(json.loads(result.stdout)["estimates"][0]["value"])
     assert found[1:] == pytest.approx([found[0]] * 2, rel=1e-7)
-
-
-@pytest.mark.parametrize(
-    ("lower", "upper"), [(999.93, 1000.37), (1509.29, 1509.31), (-0.0536, -0.0486), (3.0, 3.0)]
-)
-def test_printed_intervals_keep_their_width(lower, upper):
-    digits = interval_digits(lower, upper)
-    shown = [float(format_quantity(each, "1", digits)) for each in (lower, upper)]
-    assert shown[1] - shown[0] == pytest.approx(upper - lower, rel=0.1)
 
 
 def test_bad_input(tmp_path, zou_file):

@@ -1,14 +1,12 @@
 """``asperity sensitivity``: elasticities that follow from scaling, and the order of the table."""
 
 import json
-import math
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from asperity.cli.commands import asperity
-from asperity.cli.sensitivity import _show
 from asperity.errors import InputError
 
 FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
@@ -53,37 +51,3 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     assert set(ranks[1:4]) == {"load.friction_coefficient", "load.preload", "drive.planets"}
     with pytest.raises(InputError, match="there is no result 'weight'; the page 'Results'"):
         run("sensitivity", FILE, "--result", "weight")
-
-
-def test_the_table_has_the_units_of_the_result_and_of_the_file(capsys):
-    """An angle of 10 arcmin that falls by 2 arcmin a millimetre; in SI the slope would be some 0.58 rad/m."""
-    xarray = pytest.importorskip("xarray")
-    arcminute = math.pi / 10800.0
-    ranked = xarray.Dataset(
-        {
-            "value": ("input", [0.02, 7800.0, 0.02]),
-            "elasticity": ("input", [-4.0, 0.0, 30.0]),
-            "derivative": ("input", [-2.0 * arcminute / 1e-3, 0.0, 15.0 * arcminute / 1e-3]),
-            "result_value": 10.0 * arcminute,
-            "result_name": "drift of the output",
-        },
-        coords={
-            "input": [
-                "drive.planet_radius",
-                "materials.steel.density",
-                "drive.planet_radius (finished part)",
-            ],
-            "result": "drift",
-        },
-    )
-    _show(ranked)
-    text = capsys.readouterr().out
-    assert "drift of the output: 10 arcmin" in text
-    assert "derivative [arcmin]" in text
-    rows, _, others = text.rstrip().partition("no effect: ")
-    (planet,) = (line for line in rows.splitlines() if "drive.planet_radius  " in line)
-    assert planet.rstrip().endswith("-2 per mm")
-    (part,) = (line for line in rows.splitlines() if "drive.planet_radius (finished part)" in line)
-    assert part.rstrip().endswith("15 per mm")
-    assert "Those of finished parts deviate while all other parts stay as they are" in " ".join(rows.split())
-    assert others == "materials.steel.density"

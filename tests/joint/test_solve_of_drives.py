@@ -6,11 +6,11 @@ import math
 import numpy as np
 import pytest
 
-from asperity.cli.joint_table import show_joint
-from asperity.cli.roll_table import show_rolling
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import refuse_no_rolling, solve_joint
 from asperity.joint_file.solved_document import solve_case
+from asperity.views.screens import joint_screen, rolling_screen
+from asperity.views.terminal import plain_text
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
 
@@ -117,30 +117,25 @@ def test_the_oil_brakes_the_drive_at_its_contacts(planetary):
     assert drag[0] == pytest.approx(10e-3 * 1.47 * (2.0 * 0.03 * speed / scale) ** 0.75 * scale, rel=0.02)
 
 
-def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
-    import io
-
-    from rich.console import Console
-
-    document = planetary[2]
+def test_the_tables_name_contacts_members_and_bodies(planetary_view):
+    document = planetary_view.document
     losses = sum(loss or 0.0 for cause, loss in document["losses_W"].items() if cause != "total")
     power_out = (
         10.0 * document["standing"]["forces"]["output_speed_rad_per_s"] * (1.0 - document["speed_loss"])
     )
     power_in = power_out + losses
-    for show, words in (
+    for screen, said in (
         (
-            show_joint,
-            ["planetary drive", "sun in, carrier out, ring grounded", "contact sp slips", "ratio 6"],
+            joint_screen,
+            ["planetary drive", "sun in, carrier out, ring grounded", "contact sp slips", "Speed ratio"],
         ),
         (
-            show_rolling,
-            ["drift per output turn", "one planet", f"Efficiency {100.0 * power_out / power_in:.4g}"],
+            rolling_screen,
+            ["drift per output turn", "one planet", f"efficiency {100.0 * power_out / power_in:.4g} %"],
         ),
     ):
-        stream = io.StringIO()
-        show(Console(file=stream, width=120), document, source="planetary.toml", in_full=True)
-        assert all(word in stream.getvalue() for word in words)
+        text = plain_text(screen(planetary_view, "planetary.toml"))
+        assert all(words in text for words in said)
 
 
 def test_a_torque_beyond_the_capacity_is_refused(planar_case):

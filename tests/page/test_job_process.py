@@ -7,7 +7,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import read_case
-from asperity.page.job_process import BLOCK, design_words, run_job
+from asperity.page.job_process import BLOCK, run_job
 from asperity.study.design.design_problem import DesignProblem, Objective, WorstCase
 from asperity.study.design.design_result import LimitReport
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document

@@ -5,8 +5,20 @@ from html.parser import HTMLParser
 
 import pytest
 
-from asperity.views.blocks import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
-from asperity.views.html import report_html
+from asperity.views.blocks import (
+    Bullets,
+    Figure,
+    Figures,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Report,
+    Table,
+    Warned,
+    Warnings,
+)
+from asperity.views.html import notebook_html, report_html
 
 HOSTILE = "</pre><script>alert('x')</script><img src=x onerror=y>&amp;\"' #{[*_$\\\x1b[31m\u202e"
 SVG = (
@@ -22,7 +34,9 @@ def hostile_report():
             Heading(HOSTILE),
             Paragraph(HOSTILE, strong=True),
             Bullets([HOSTILE]),
+            Figures([Figure(HOSTILE, HOSTILE, HOSTILE, HOSTILE, 1.0)]),
             Table(HOSTILE, (HOSTILE, "two\nlines"), [(HOSTILE, "1")]),
+            Warnings([Warned("damage", HOSTILE, HOSTILE, (HOSTILE,), HOSTILE)]),
             Picture(HOSTILE, SVG),
             Picture("second", SVG),
             Listing("\n# a\n" + HOSTILE),
@@ -111,3 +125,27 @@ def test_verdicts_have_a_colour_in_light_and_in_dark():
     for verdict in ("pass", "fail"):
         assert text.count(f"--{verdict}: #") == 2  # light and dark
         assert f".{verdict} {{ color: var(--{verdict})" in text
+
+
+def test_figures_are_a_table_with_their_units():
+    known = Figure("Life", "12", "h", "of the drive", 12.0)
+    text = report_html(Report("a", (Figures([known]),)))
+    assert "<td class=w>Life</td><td class=w>12 h</td><td class=w>of the drive</td>" in text
+
+
+def test_a_warning_says_what_it_means_and_what_to_do():
+    warned = Warned("damage", "Damage", "it is hot", ("it melts", "it burns"), "cool it")
+    open_ = Warned("damage", "Not checked", "life 2", ("no film",), "")
+    text = report_html(Report("a", (Warnings([warned, open_]),)))
+    assert "<li><strong>Damage: it is hot</strong>. It melts; it burns. What to do: cool it.</li>" in text
+    assert "<li><strong>Not checked: life 2</strong>. No film.</li>" in text
+
+
+def test_a_notebook_gets_the_same_blocks_with_their_words_at_the_left():
+    blocks = (Paragraph("a < b", strong=True), Table("t", ("x", "y"), [("words", "1")]))
+    page = Reader(notebook_html(blocks))
+    assert page.texts["p"] == "a < b"
+    assert not {"html", "h1", "script"} & set(page.tags)
+    text = notebook_html(blocks)
+    assert "<td class=w>words</td><td>1</td>" in text
+    assert ".asperity .w { text-align: left; }" in text

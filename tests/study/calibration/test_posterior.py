@@ -11,7 +11,7 @@ import pytest
 from scipy.special import logsumexp
 from scipy.stats import chi2, norm
 
-from asperity.cli.calibrate import _document, _show
+from asperity.cli.calibrate import _document
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration import posterior as module
@@ -30,6 +30,7 @@ from asperity.study.calibration.posterior import (
     shifted,
 )
 from asperity.study.calibration.unknowns import read_unknowns
+from asperity.views.calibration import posterior as posterior_blocks
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 SHARES = (0.025, 0.16, 0.5, 0.84, 0.975)
@@ -372,7 +373,7 @@ def test_figure(cut_joint, drawn):
 
 
 @pytest.mark.long
-def test_document_and_tables(cut_joint, drawn, capsys):
+def test_document_and_tables(cut_joint, drawn):
     # 940 N and 0.1 N·m are the lower bounds
     document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
     preload, width = document["posterior"]["load.preload"], document["posterior"]["play.take_up_torque"]
@@ -385,8 +386,14 @@ def test_document_and_tables(cut_joint, drawn, capsys):
     assert errors["quantiles"]["0.025"] < 3e-6 < errors["quantiles"]["0.975"]
     at_bound = drawn.scaled_values.copy()
     at_bound[::3, 0] = 1e-4
-    _show(cut_joint, dataclasses.replace(drawn, scaled_values=at_bound))
-    assert "load.preload: cut by lower bound" in capsys.readouterr().out
+    table, *notes, share = posterior_blocks(dataclasses.replace(drawn, scaled_values=at_bound), cut_joint)
+    assert [row[0] for row in table.rows] == [*(each.path for each in cut_joint.unknowns), "size of errors"]
+    middle = document["posterior"]["load.preload"]["quantiles"]["0.5"]
+    untouched = next(iter(posterior_blocks(drawn, cut_joint)))
+    assert untouched.rows[0][2] == f"{middle:.4g} N"
+    (said,) = (note.text for note in notes)
+    assert said.startswith("load.preload: cut by lower bound")
+    assert "% of the proposals" in share.text
 
 
 @pytest.mark.long

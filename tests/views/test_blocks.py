@@ -1,0 +1,59 @@
+"""What a view consists of: sections, figures as a table, and blocks for JSON."""
+
+import json
+
+from asperity.views.blocks import (
+    Bullets,
+    Figure,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Report,
+    Table,
+    Warned,
+    Warnings,
+    block_documents,
+    figures_table,
+)
+from asperity.views.screens import joint_screen, page_views, rolling_screen
+
+
+def test_sections_are_the_headings_in_order():
+    blocks = (
+        Heading("Input"),
+        Paragraph("a sentence"),
+        Table("sizes", ("part", "mm"), [("sun", "4")]),
+        Heading("Results"),
+        Bullets(["one"]),
+    )
+    assert Report("title", blocks).sections == ("Input", "Results")
+    assert Report("title", ()).sections == ()
+
+
+def test_a_figure_without_a_number_has_no_unit():
+    known = Figure("Life", "12", "h", "of the drive", 12.0)
+    absent = Figure("Life", "–", "h", "it flows", None)
+    ratio = Figure("Speed ratio", "6", "", "sun over carrier", 6.0)
+    assert [figure.text for figure in (known, absent, ratio)] == ["12 h", "–", "6"]
+    table = figures_table([known, absent])
+    assert table.rows == [("Life", "12 h", "of the drive"), ("Life", "–", "it flows")]
+    assert len(table.head) == 3
+
+
+def test_blocks_for_json_have_their_kind_and_all_fields():
+    warned = Warned("damage", "Damage", "it is hot", ("it melts",), "cool it")
+    blocks = [Heading("a"), Warnings([warned]), Picture("b", "<svg/>", sheet=True), Listing("c")]
+    found = json.loads(json.dumps(block_documents(blocks)))
+    assert [block["kind"] for block in found] == ["heading", "warnings", "picture", "listing"]
+    assert found[1]["items"] == [
+        {"severity": "damage", "about": "Damage", "text": "it is hot", "meanings": ["it melts"], "remedy": "cool it"}
+    ]
+    assert found[2] == {"kind": "picture", "title": "b", "svg": "<svg/>", "sheet": True}
+
+
+def test_everything_that_is_shown_of_a_joint_is_json(paper_view, planetary_view):
+    for view in (paper_view, planetary_view):
+        for blocks in (joint_screen(view, "a.toml"), rolling_screen(view, "a.toml")):
+            json.dumps(block_documents(blocks), allow_nan=False)
+        json.dumps(page_views(view), allow_nan=False)

@@ -1,0 +1,317 @@
+"""The joint that stands, as it is shown: its load, figures, contacts, sizes and assumptions."""
+
+import math
+
+import pytest
+from shown_blocks import ARCMINUTE, amount, cells, four, tables
+
+from asperity.views.blocks import Bullets, Heading
+from asperity.views.joint import (
+    OF_EVERY_JOINT,
+    assumptions,
+    capacity_text,
+    contacts,
+    drive,
+    in_its_direction,
+    key_figures,
+    load,
+    surfaces,
+    verdict,
+    verdict_words,
+)
+from asperity.views.solved_view import SolvedView
+
+FRICTION = 0.12  # of the paper's example
+CROWNED = ('contact_length = "5 mm" ', 'planet_crown_radius = "2 m"\ncontact_length = "5 mm" ')
+
+
+def with_document(view, **changes):
+    """The same joint with changed entries of its document."""
+    return SolvedView(view.solved, view.document | changes)
+
+
+def figures(view):
+    return {figure.name: figure for figure in key_figures(view)}
+
+
+def test_the_load_is_in_the_units_of_the_file(paper_view, planetary_view):
+    assert load(paper_view).text.startswith("3 planets, sun at 6000 rpm, preload 1000 N (interference ")
+    micrometres = 1e6 * float(paper_view.solved.result.interference)
+    assert f"(interference {micrometres:.4g} µm), output torque 5 N·m" in load(paper_view).text
+    assert "(interference 30 µm), output torque 10 N·m" in load(planetary_view).text
+
+
+def test_one_planet_is_no_plural_and_rows_have_rollers(paper_view, view_of):
+    stated = paper_view.document["input"]
+    one = with_document(paper_view, input=stated | {"drive": stated["drive"] | {"planets": 1.0}})
+    assert load(one).text.startswith("1 planet, sun at")
+    assert load(view_of("multiroller")).text.startswith("4 rollers in each row, sun at")
+
+
+def test_a_joint_at_another_temperature(view_of):
+    """All parts are of one steel: the interference grows as the bore does."""
+    sections = '\n[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n'
+    view = view_of("planetary", more=sections)
+    said = load(view).text
+    assert "; at 60 degC, assembled at 20 degC with " in said
+    assert said.endswith("(30 µm)")
+    assert float(said.partition("with ")[2].split()[0]) == four(view.document["preload"]["at_assembly"]["force_N"])
+
+
+def test_where_a_joint_gets_loose(paper_view):
+    limits = [
+        {"lost": "seat_between_rollers", "part": "held_ring", "temperature_degC": 70.0, "side": "above"},
+        {"lost": "interference", "part": None, "temperature_degC": -90.0, "side": "below"},
+    ]
+    preload = paper_view.document["preload"] | {"temperature_limits": limits}
+    assert load(with_document(paper_view, preload=preload)).text.endswith(
+        "; loose below -90 degC; no pressure of held ring on its housing between the rollers above 70 degC"
+    )
+
+
+def test_a_loading_cam_is_told(view_of):
+    cam = 'output_torque = "10 N*m"\ncam_force_per_torque = "20 N/Nm"'
+    said = load(view_of("planetary", ('output_torque = "10 N*m"', cam))).text
+    assert "; loading cam: " in said
+    assert " plus 20 N/Nm, angle " in said
+    assert said.endswith("arcmin at the output")
+
+
+def test_key_figures_are_those_of_the_solution(planetary_view):
+    shown, result = figures(planetary_view), planetary_view.solved.result
+    stiffness = float(result.assembly.stiffness.output)
+    expected = {
+        "Stiffness at the output": (stiffness * ARCMINUTE, "N·m/arcmin"),
+        "Drift per output turn": (float(result.rolling.drift_per_output_turn) / ARCMINUTE, "arcmin"),
+        "Efficiency": (100.0 * float(result.rolling.power.efficiency), "%"),
+        "Life": (float(result.rolling.life_hours.drive), "h"),
+        "Outside diameter": (2.0 * (50.0 + 8.0), "mm"),
+        "Speed ratio": (6.0, ""),
+    }
+    for name, (value, unit) in expected.items():
+        assert (amount(shown[name].text), shown[name].unit) == (pytest.approx(value, rel=1e-3), unit), name
+    assert f"{stiffness:.0f} N·m/rad" in shown["Stiffness at the output"].detail
+    assert "sun locked (upper bound: pins rigid)" in shown["Stiffness at the output"].detail
+    masses = planetary_view.document["standing"]["forces"]["body_mass_kg"]
+    assert amount(shown["Mass"].text) == four(masses["sun"] + 3.0 * masses["planet"] + masses["ring"])
+    assert shown["Speed ratio"].detail == "sun over carrier, ring grounded"
+
+
+def test_figures_that_do_not_exist_say_why(paper_view, view_of):
+    life = figures(paper_view)["Life"]
+    assert (life.text, life.value) == ("–", None)
+    assert life.detail.startswith("no rating life: at sp, pwr the Hertz pressure exceeds the shakedown limit")
+    efficiency = figures(view_of("tutorial_joint"))["Efficiency"]
+    assert efficiency.text == "–"
+    assert efficiency.detail.startswith("the sun stands: drift and life are per turn")
+    plastic = figures(view_of("planetary", ('"1.3e-7 mm"', '"1e-2 mm"')))
+    for name in ("Stiffness at the output", "Drift per output turn"):
+        assert plastic[name].text == "–"
+        assert "every spot of" in plastic[name].detail
+
+
+def test_the_capacity_stands_beside_what_limits_it(paper_view, planetary_view):
+    rolling, standing = (
+        float(getattr(planetary_view.solved.solution, name).output_torque)
+        for name in ("rolling_capacity", "standing_capacity")
+    )
+    shown = figures(planetary_view)["Torque capacity"]
+    assert amount(shown.text) == four(rolling)
+    assert shown.detail == (
+        f"contact sp slips, in rolling; gross slip standing at {standing:.4g} N·m; load 10 N·m"
+    )
+    nothing = figures(paper_view)["Torque capacity"]
+    assert (nothing.text, nothing.value) == ("0 N·m", 0.0)
+    assert nothing.detail.startswith("contact sp beyond first yield without torque; gross slip standing at 13.16 ")
+
+
+@pytest.mark.parametrize(
+    ("torque", "limit", "stands", "shown", "detail"),
+    [
+        (8.0, "gross_slip", 8.0, "8 N·m", "sp slips; load -5 N·m"),
+        (7.0, "lift_off", 9.0, "7 N·m", "sp slips; lift-off standing at 9 N·m; load -5 N·m"),
+        (7.0, "none", None, "7 N·m", "sp slips; standing, no contact slips at any torque; load -5 N·m"),
+        (7.0, "contact_too_wide", 900.0, "7 N·m", "sp slips; load -5 N·m"),
+        (None, "none", None, "–", "sp slips; standing, no contact slips at any torque; load -5 N·m"),
+    ],
+)
+def test_a_capacity_against_the_torque(paper_view, torque, limit, stands, shown, detail):
+    """Under -5 N·m the reverse capacities count."""
+    document = paper_view.document
+    standing = document["standing"]
+    view = with_document(
+        paper_view,
+        torque_capacity={"reverse": {"output_torque_Nm": torque, "meaning": "sp slips"}},
+        standing_torque_capacity={"reverse": {"output_torque_Nm": stands, "limit": limit}},
+        standing=standing | {"forces": standing["forces"] | {"output_torque_Nm": -5.0}},
+    )
+    found = figures(view)["Torque capacity"]
+    assert (found.text, found.detail) == (shown, detail)
+    assert in_its_direction(view.document, "torque_capacity") is view.document["torque_capacity"]["reverse"]
+
+
+def test_the_verdict_is_one_paragraph_before_the_figures(paper_view, planetary_view):
+    for view, passed in ((paper_view, False), (planetary_view, True)):
+        paragraph, shown = verdict(view)
+        assert (paragraph.strong, paragraph.passed) == (True, passed)
+        assert paragraph.text == verdict_words(view.document["verdict"])
+        assert len(shown.items) == 8
+    nearest = {"words": "slip at sp 3, 85 % of its limit"}
+    said = {"title": "Works", "words": "All met.", "nearest": nearest}
+    assert verdict_words(said) == "Works: All met. Tightest margin: slip at sp 3, 85 % of its limit."
+    assert verdict_words(said | {"nearest": None}) == "Works: All met."
+
+
+def test_contacts_are_in_the_units_of_their_heads(paper_view):
+    """The width is twice the half-width; the ratio of slip by hand from the forces."""
+    standing = paper_view.document["standing"]
+    shown = tables(contacts(paper_view))
+    forces = shown["Contact forces at standstill, under the torque"]
+    assert [head.partition("\n")[2] for head in forces.head] == ["", "N", "N", "mm", "MPa", "mm²", "-"]
+    stiffness = shown["Contact stiffness"]
+    assert [head.partition("\n")[2] for head in stiffness.head] == ["", *["N/µm"] * 4, "N·m/rad"]
+    assert list(cells(forces)) == list(cells(stiffness)) == list(standing["contacts"])
+    for name, row in cells(forces).items():
+        normal, tangential = (standing["forces"][f"{kind}_N"][name] for kind in ("normal", "tangential"))
+        contact = standing["contacts"][name]
+        assert [float(cell) for cell in row] == [
+            four(normal),
+            four(tangential),
+            four(2e3 * contact["hertz_half_width_m"]),
+            four(1e-6 * contact["hertz_pressure_Pa"]),
+            four(1e6 * contact["real_contact_area_m2"]),
+            four(tangential / (FRICTION * normal)),
+        ]
+    for name, row in cells(stiffness).items():
+        contact = standing["contacts"][name]
+        springs = [
+            1e-6 * contact[f"{of}_{direction}_stiffness_N_per_m"]
+            for of in ("asperity", "bulk")
+            for direction in ("tangential", "normal")
+        ]
+        assert [float(cell) for cell in row] == [
+            *map(four, springs),
+            four(contact["contact_torsional_stiffness_Nm_per_rad"]),
+        ]
+
+
+def test_crowned_contacts_have_a_table_of_their_own(paper_view, view_of):
+    assert "Crowned contacts" not in tables(contacts(paper_view))
+    view = view_of("zou2025", CROWNED)
+    shown = tables(contacts(view))["Crowned contacts"]
+    assert [head.partition("\n")[2] for head in shown.head] == ["", "%", "-", "-"]
+    found = view.document["standing"]["contacts"]
+    for name in ("sp", "pwr", "pwl"):  # the planet touches them
+        contact = found[name]
+        assert [float(cell) for cell in cells(shown)[name]] == [
+            four(100.0 * contact["loaded_length_share"]),
+            four(contact["peak_line_load_ratio"]),
+            four(contact["end_line_load_ratio"]),
+        ]
+
+
+def test_the_drive_in_degrees_grams_and_millimetres(paper_view):
+    """Cosine rule in the triangle of 17.5, 18.5 and 35 mm; planets three to a circle of 17.5 mm."""
+    shown = {name: cell for name, (cell,) in cells(drive(paper_view)).items()}
+    assert shown["members"] == "sun in, carrier out, ring grounded"
+    assert amount(shown["speed of the output"]) == four(-6000.0 / 9.0)
+    wedge = math.degrees(math.acos((35.0**2 + 18.5**2 - 17.5**2) / (2.0 * 35.0 * 18.5)))
+    alpha = math.degrees(math.acos((35.0**2 + 17.5**2 - 18.5**2) / (2.0 * 35.0 * 17.5)))
+    assert amount(shown["wedge angle beta"]) == four(wedge)
+    assert amount(shown["angle alpha between planet and loading roller"]) == four(alpha)
+    assert amount(shown["direction theta from planet to loading roller"]) == four(wedge + alpha)
+    assert shown["torque at the output"] == "5 N·m"
+    assert amount(shown["torque at the input, without losses in rolling"]) == four(5.0 / 9.0)
+    for body, radius in (("sun", 4.0), ("planet", 13.5), ("right loading roller", 5.0)):
+        assert amount(shown[f"mass, {body}"]) == four(7850.0 * math.pi * radius**2 * 5.0 * 1e-6)
+    gap = 2.0 * 17.5 * math.sin(math.pi / 3.0) - 2.0 * 13.5
+    assert shown["smallest clearance"] == f"{gap:.4g} mm, planet to planet"
+    pins = paper_view.document["standing"]["forces"]["pin_N"]["left_loading_roller"]
+    assert shown["force on the pin, left loading roller"] == (
+        f"radial 0 N, tangential {pins['tangential']:.4g} N, standing"
+    )
+    assert shown["torque capacity, rolling"].endswith("without gross slip")
+    assert amount(shown["interference to be made"]) == four(1e6 * float(paper_view.solved.result.interference))
+    without = SolvedView(paper_view.solved, paper_view.document)
+    assert "interference to be made" not in cells(drive(without))
+
+
+def test_losses_are_part_of_the_torque_at_the_input_in_rolling(planetary_view):
+    """An oil whose drag the motor has to overcome: the power in over the speed."""
+    shown = {name: cell for name, (cell,) in cells(drive(planetary_view)).items()}
+    power = planetary_view.document["rolling"]["input_power_W"]
+    torque = power / (1500.0 * math.pi / 30.0)
+    assert amount(shown["torque at the input in rolling, all losses counted"]) == four(torque)
+    assert "wedge angle beta" not in shown
+
+
+def test_bearings_and_bodies_that_bend_have_a_row_each(paper_view, planetary_view, view_of):
+    assert not any(name.startswith(("bearing", "rim")) for name, _ in drive(paper_view).rows)
+    section = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
+    view = view_of("planetary", more=section)
+    shown = cells(drive(view))
+    (bearing,) = view.document["bearings"]
+    assert shown["bearing life L10, planet pin"][0].endswith(" h")
+    assert amount(shown["bearing life L10, planet pin"][0]) == four(bearing["life_hours"])
+    ring = planetary_view.document["rims"]["ring"]
+    (said,) = cells(drive(planetary_view))["rim of the ring"]
+    assert said == f"yield safety {ring['yield_safety']:.4g}, fatigue safety {ring['fatigue_safety']:.4g}"
+    unknown = with_document(planetary_view, rims={"ring": ring | {"fatigue_safety": None}})
+    (said,) = cells(drive(unknown))["rim of the ring"]
+    assert said == f"yield safety {ring['yield_safety']:.4g}"
+
+
+def test_capacities_of_both_directions(paper_view):
+    def entry(torque, meaning):
+        return {"output_torque_Nm": torque, "meaning": meaning}
+
+    slips, none = entry(12.5, "contact sp slips"), entry(None, "no limit is reached at any torque")
+    assert capacity_text(slips | {"reverse": none}) == (
+        "12.5 N·m: contact sp slips; reverse no limit is reached at any torque"
+    )
+    assert capacity_text(slips | {"reverse": slips}) == "12.5 N·m: contact sp slips (both directions)"
+    assert capacity_text(none | {"reverse": none}) == "no limit is reached at any torque (both directions)"
+    assert capacity_text(paper_view.document["torque_capacity"]) == (
+        "0 N·m: contact sp beyond first yield without torque (both directions)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("capacity", "said"), [(None, "not limited by friction"), (0.0, "slips without a torque")]
+)
+def test_capacities_in_rolling_without_a_number(paper_view, capacity, said):
+    rolling = paper_view.document["rolling"] | {"torque_capacity_Nm": capacity}
+    assert cells(drive(with_document(paper_view, rolling=rolling)))["torque capacity, rolling"] == (said,)
+
+
+def test_what_is_assumed_in_short_and_in_full(planetary_view):
+    """In short what a file leaves out has its name only, and what is so in every joint is left out."""
+    told = planetary_view.document["assumptions"]
+    assert all(any(sentence.startswith(start) for sentence in told) for start in OF_EVERY_JOINT)
+    heading, every = assumptions(planetary_view.document)
+    assert (heading, list(every.items)) == (Heading("Assumptions"), list(told))
+    heading, short = assumptions(planetary_view.document, in_full=False)
+    assert heading == Heading("Assumptions (all in full with --all)")
+    assert isinstance(short, Bullets)
+    names, law, fatigue = short.items
+    assert names.startswith(
+        "not in the file: section [bearings], bearings.pin_diameter, compliance.pin_stiffness, section [play], "
+    )
+    assert "the bearings have no friction" not in names
+    assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
+    assert fatigue.startswith("fatigue_strength of material 52100: 588 MPa of specimens")
+
+
+def test_the_ra_of_every_surface(paper_view, view_of):
+    """G is 1e-8 mm; Ra and its range are those of the document."""
+    (shown,) = surfaces(paper_view.document)
+    (row,) = shown.rows
+    entry = paper_view.document["surfaces"][0]
+    assert row[:4] == ("all", "1.4", "1e-8", "0.25")
+    assert float(row[4]) == four(1e6 * entry["roughness_average_m"])
+    low, high = row[5].split(" to ")
+    assert float(low) < float(row[4]) < float(high)
+    unlike = [entry | {"contacts": ["sp", "pwr"]}, entry | {"contacts": ["wro"]}]
+    (shown,) = surfaces(paper_view.document | {"surfaces": unlike})
+    assert [row[0] for row in shown.rows] == ["sp, pwr", "wro"]
+    assert surfaces(paper_view.document | {"surfaces": []}) == []  # by their heights

@@ -1,0 +1,95 @@
+"""Loads of the structure, its bearings and bodies that bend, as they are shown."""
+
+import math
+
+import pytest
+from shown_blocks import four, sentences, tables
+
+import asperity
+from asperity.views.loads import loads, rims
+
+LOADS, BEARINGS = "Loads of the structure", "Rolling bearings, each one alone"
+SECTIONS = (
+    '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
+    '\n[[duty]]\noutput_torque = "6 N*m"\nsun_speed = "3000 rpm"\nshare = 1.0\n'
+)
+
+
+@pytest.fixture(scope="module")
+def document(zou_file, tmp_path_factory):
+    """The planetary example with rated bearings and a duty."""
+    file = tmp_path_factory.mktemp("loads") / "planetary.toml"
+    file.write_text(zou_file.with_name("planetary.toml").read_text(encoding="utf-8") + SECTIONS)
+    return asperity.loads(asperity.load(file)).document
+
+
+def test_pins_carry_what_statics_says(document):
+    """10 N·m at the carrier of three planets on a circle of 30 mm; 6 N·m in the duty."""
+    shown = tables(loads(document))[LOADS]
+    assert shown.head[0] == "part"
+    assert shown.head[2:] == (
+        "without torque",
+        "working torque, in rolling\n10 N·m\n1500 rpm",
+        "duty 1, in rolling\n6 N·m\n3000 rpm",
+        "unit",
+    )
+    place = next(n for n, row in enumerate(shown.rows) if row[0] == "carrier pin, planet")
+    row = next(row for row in shown.rows[place:] if row[1] == "tangential force")
+    assert [float(cell) for cell in row[2:5]] == [0.0, four(10.0 / 0.09), four(6.0 / 0.09)]
+    assert row[5] == "N"
+    # a part is named once
+    assert all(row[0] == "" for row in shown.rows[place + 1 : shown.rows.index(row) + 1])
+    assert {row[-1] for row in shown.rows} >= {"N", "N·m", "rpm"}
+
+
+def test_numbers_that_do_not_exist_are_dashes(document):
+    shown = tables(loads(document))[LOADS]
+    (mounting,) = (row for row in shown.rows if row[1] == "axial mounting force")
+    assert mounting[3:5] == ("–", "–")
+
+
+def test_bearings_by_their_ratings(document):
+    """C over P to the power of 10/3 of a roller bearing, in millions of turns."""
+    shown = tables(loads(document))[BEARINGS]
+    (bearing,) = document["bearings"]
+    ((name, kind, *numbers),) = shown.rows
+    heads = [head.replace("\n", " ") for head in shown.head[2:]]
+    found = dict(zip(heads, numbers, strict=True))
+    assert (name, kind) == ("planet pin", "roller")
+    assert (found["C N"], found["C_0 N"]) == ("8000", "9000")
+    assert float(found["load N"]) == four(bearing["load_N"])
+    (speed,) = (
+        values["values"][1] for values in document["loads"] if values["quantity"] == "speed, roller on pin"
+    )
+    hours = 1e6 * (8000.0 / bearing["load_N"]) ** (10.0 / 3.0) / (3600.0 * speed / (2.0 * math.pi))
+    assert float(found["life L10 h"]) == pytest.approx(hours, rel=1e-3)
+    assert float(found["largest P/C -"]) == four(bearing["load_N"] / 8000.0)
+
+
+def test_reasons_and_notes_stand_below_the_tables(document):
+    (bearing,) = document["bearings"]
+    silent = bearing | {"life_hours": None, "absent_because": ["no life: it slips"]}
+    cases = [*document["cases"][:-1], document["cases"][-1] | {"unknown_because": "slips"}]
+    said = sentences(loads(document | {"bearings": [silent], "cases": cases}))
+    assert said[:2] == ["duty 1: slips.".capitalize(), "Planet pin bearing: no life: it slips."]
+    assert said[2:] == list(document["notes"])
+    assert BEARINGS not in tables(loads(document | {"bearings": []}))
+
+
+def test_bodies_that_bend(planetary_view, paper_view):
+    table, said = rims(planetary_view.document)
+    ring = planetary_view.document["rims"]["ring"]
+    for row in table.rows:
+        stresses = [ring[f"{name}_Pa"][row[1]] for name in ("stress_at_rest", "stress", "mean", "amplitude")]
+        assert row[0] == "ring"
+        assert [float(cell) for cell in row[2:]] == [
+            *(four(1e-6 * stress) for stress in stresses),
+            four(ring["yield_safety"]),
+            four(ring["fatigue_safety"]),
+        ]
+    assert [row[1] for row in table.rows] == ["inner", "outer"]
+    assert "plane strain" in said.text
+    assert list(rims(paper_view.document)) == []
+    unknown = {"rims": {"held_ring": ring | {"fatigue_safety": None}}}
+    table, _ = rims(unknown)
+    assert (table.rows[0][0], table.rows[0][-1]) == ("held ring", "–")
