@@ -77,7 +77,7 @@ def test_a_bound_stands_beside_the_side_that_has_it(zou_file):
         rigid.label,
     )
     comparison = asperity.compare(joint, joint.with_values({"load.preload": "1100 N"}))
-    shown = dataclasses.replace(comparison, results=(both, one)).tables()[1].rows
+    shown = dataclasses.replace(comparison, results=(both, one)).blocks()[1].rows
     assert [[" (upper bound: pins rigid)" in cell for cell in row[:3]] for row in shown] == [
         [True, False, False],
         [False, True, False],

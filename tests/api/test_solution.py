@@ -50,10 +50,10 @@ def test_every_row_of_the_table_of_results_is_there(solution):
 
 def test_text_shows_stiffness_with_units_and_warnings(solution):
     text = repr(solution)
-    assert "output N·m/arcmin" in text
-    assert f"  {solution['stiffness'].to('N*m/arcmin'):.4g}\n" in text
-    assert "Hertz pressure over first yield" in text
-    assert "sp, pwr, pwl, wro, wlo" in text
+    assert f"Stiffness at the output  {solution['stiffness'].to('N*m/arcmin'):.4g} N·m/arcmin" in text
+    warned = " ".join(text.partition("Warnings, most serious first")[2].split())
+    first = warned.partition("Hertz pressure over first yield ")[2].partition(" (limit 1)")[0]
+    assert [place.rpartition(" ")[2] for place in first.split(", ")] == ["sp", "pwr", "pwl", "wro", "wlo"]
     assert "<caption>Torsional stiffness</caption>" in solution._repr_html_()
 
 
@@ -61,32 +61,29 @@ def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_f
     drift = printed("joint", zou_file)["drift_rad_per_output_turn"]
     assert solution["drift"].si == drift
     text = repr(solution)
-    assert (
-        text.index("asperities alone") < text.index("drift per output turn") < text.index("torque capacity")
-    )
-    assert f"{np.degrees(drift) * 60.0:.4g} arcmin" in text
+    shown = f"{np.degrees(drift) * 60.0:.4g} arcmin"
+    figures = ("Stiffness at the output", "Drift per output turn", "Torque capacity")
+    assert sorted(map(text.index, figures)) == list(map(text.index, figures))
+    assert f"Drift per output turn    {shown}" in text
+    assert text.index("asperities alone, the level") < text.index(f"the output drifts by {shown}")
 
 
 def test_a_joint_without_crossed_limits_says_so(solution):
     kept = [limit | {"ok": True} for limit in solution.limits]
     other = type(solution)(solution._case, solution._solved, source="x", summary="x")
-    other._of_joint = {"diagnostics": kept}
-    assert "All limits are met." in repr(other)
+    other.document = solution.document | {"diagnostics": kept}
+    assert repr(other).endswith("No warnings: all limits are met.")
 
 
-def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
-    """Safeties of 0.9 and 0.5 that should be above 1: the smaller one is the worse."""
+def test_a_warning_states_all_of_its_values(solution):
+    """Safeties of 0.9 and 0.5 that should be above 1, and one that is not known."""
     entry = {"name": "rim", "label": "wall", "limit": 1.0, "ok": False, "severity": "damage", "meaning": "m"}
     entry["known"] = True
-    entry["limit_shown"] = "1"
+    entry |= {"limit_shown": "1", "remedy": None}
     values = {"held_ring": 0.9, "planet": 0.5}
     crossed = [
         entry | {"contact": place, "value": value, "shown": f"{value}"} for place, value in values.items()
     ]
-    monkeypatch.setattr(type(solution), "limits", crossed)
-    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
-    assert row.split()[:3] == ["wall", "0.5", "1"]
-    assert "held ring, planet" in row
     unknown = entry | {
         "contact": "sun",
         "value": None,
@@ -94,12 +91,19 @@ def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
         "known": False,
         "infinite": False,
     }
-    monkeypatch.setattr(type(solution), "limits", [unknown, *crossed])
-    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
-    assert row.split()[1] == "0.5"  # what is not known does not hide what is crossed
-    monkeypatch.setattr(type(solution), "limits", [unknown])
-    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
-    assert row.rstrip().endswith("not checked")
+
+    def warned(*entries):
+        other = type(solution)(solution._case, solution._solved, source="x", summary="x")
+        other.document = solution.document | {"diagnostics": list(entries)}
+        said = repr(other).partition("Warnings, most serious first\n")[2]
+        return [line.strip() for line in said.splitlines()]
+
+    assert warned(*crossed) == ["Damage: wall 0.9 at held ring, 0.5 at planet (limit 1)", "m"]
+    # what is not known does not hide what is crossed
+    assert warned(*crossed, unknown)[0] == (
+        "Damage: wall 0.9 at held ring, 0.5 at planet, not known at sun (limit 1)"
+    )
+    assert warned(unknown)[0].startswith("Not checked: wall not known")
 
 
 def test_frame_and_series_carry_units(solution):

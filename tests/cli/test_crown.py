@@ -16,7 +16,7 @@ def test_every_contact_has_a_table_and_the_same_numbers_in_json(call, zou_file):
         assert f"{name}: {contact['normal_force_N']:.4g} N on 5 mm, tilt 0.2 mrad" in said
         recommended = contact["profiles"][2]
         assert (
-            f"circular, recommended {1e6 * recommended['end_drop_m']:.4g} {1e3 * recommended['crown_radius_m']:.4g} -"
+            f"circular, recommended {1e6 * recommended['end_drop_m']:.4g} {1e3 * recommended['crown_radius_m']:.4g} –"
         ) in said
     assert "loads no end" in said
 

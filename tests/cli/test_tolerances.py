@@ -41,10 +41,10 @@ def test_sizes_grades_and_shares_in_a_table(asked):
     assert (asked["share"], asked["sharing"], asked["samples"]) == (0.999, "grade", 10_000)
     assert asked["distribution"].kind == "uniform"
     said = " ".join(result.stdout.split())
-    assert "drive.sun_radius 20 mm 0.9 um 3.6 um IT3 25 %/um" in said
-    assert "load.interference (bore) 100 mm 0.01 um 0.04 um finer than IT01 10 %/um" in said
+    assert "drive.sun_radius 20 mm 0.9 µm 3.6 µm IT3 25 %/µm" in said
+    assert "load.interference (bore) 100 mm 0.01 µm 0.04 µm finer than IT01 10 %/µm" in said
     assert "9990 of 10000 drives keep all limits (99.9 % are asked for)" in said
-    assert "no influence: drive.planet_radius" in said
+    assert "No influence: drive.planet_radius" in said
 
 
 def test_one_document(asked):

@@ -13,6 +13,8 @@ from types import SimpleNamespace
 
 import pytest
 
+from asperity.views.blocks import Paragraph
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
 LONGEST_MESSAGE, LONGEST_SECONDS = 10_000, 60.0
@@ -239,10 +241,8 @@ def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
         f"{reads}.solved_with_capacities", lambda joint, *_: SimpleNamespace(joint=joint, result=None)
     )
     monkeypatch.setattr(f"{reads}.laws_of_file", lambda *_: [])
-    monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {})
-    monkeypatch.setattr(
-        "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")
-    )
+    monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {"assumptions": []})
+    monkeypatch.setattr("asperity.views.screens.joint_screen", lambda *_: [Paragraph("N·m/rad")])
     count = 400 if kind == "zou2025" else 80
     codes, wrong = failures(count, 1, tmp_path, kind=kind, only_read=True)
     assert wrong == []

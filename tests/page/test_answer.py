@@ -2,7 +2,6 @@
 
 import json
 import math
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,7 +13,6 @@ from asperity.joint_file.reader import parse_case, read_case
 from asperity.page import answer
 from asperity.page.answer import (
     _curves,
-    _margin,
     _windup,
     drive_shapes,
     joint_answer,
@@ -22,11 +20,10 @@ from asperity.page.answer import (
     stated_values,
 )
 from asperity.page.joint_request import JointRequest
-from asperity.results import Limit, Result
-from asperity.results.margins import Margin
+from asperity.results import RESULTS
 from asperity.standing.windup import windup
-from asperity.unit_table import Dimension
 
+RESULTS_BY_LABEL = {row.label: name for name, row in RESULTS.items()}
 NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
 TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
 
@@ -46,15 +43,6 @@ def test_values_are_in_the_unit_of_display_and_in_si(joint_text):
     assert numbers["load.sun_speed"]["value"] == 6000.0
     assert numbers["load.sun_speed"]["si"] == pytest.approx(6000.0 * math.pi / 30.0, rel=1e-15)
     assert numbers["materials.steel.youngs_modulus"]["value"] == 206.0
-
-
-def test_a_margin_says_whether_its_bounds_are_allowed():
-    allowed = Limit("damage", "kept", "crossed", "", 2e-3, math.inf, inclusive=True)
-    for limit, inclusive in ((None, False), (replace(allowed, inclusive=False), False), (allowed, True)):
-        row = Result("gap", "gap", Dimension.LENGTH, "mm", "gap", limit=limit)
-        found = _margin(Margin(row, "a_b", 3e-3, 2e-3, math.inf, True, "damage"))
-        assert (found["inclusive"], found["lowest"], found["highest"]) == (inclusive, 2.0, None)
-        assert (found["unit"], found["place"]) == ("mm", "a b")
 
 
 def test_an_rz_and_the_shares_are_entered_and_no_numbers_of_charts(joint_text):
@@ -164,14 +152,22 @@ def test_a_joint_with_another_drive(zou_file):
         expected = np.interp(abs(here["traction_coefficient"]), curve["traction"], curve["creepage"])
         assert abs(here["creepage"]) == pytest.approx(expected, rel=1e-2)
     # a safety must be above its limit, a ratio below it
-    margins = {each["name"]: each for each in found["margins"]}
-    safety, slip = margins["rim_yield_safety"], margins["slip_ratio"]
-    assert (safety["lowest"], safety["highest"]) == (1.0, None)
-    assert safety["used"] == pytest.approx(1.0 / safety["actual"])
-    assert (slip["lowest"], slip["highest"], slip["used"]) == (None, 1.0, slip["actual"])
-    assert margins["torque_safety"]["actual"] == pytest.approx(-curves["torque_Nm"][-1] / 8.0)
-    assert margins["clearance"]["unit"] == "mm"
-    assert "_" not in margins["clearance"]["place"]
+    table = found["views"]["margins"][-1]
+    margins = {
+        RESULTS_BY_LABEL[row[0]]: (*row[3:5], share)
+        for row, share in zip(table["rows"], table["shares"], strict=True)
+        if row[0] in RESULTS_BY_LABEL
+    }
+    for name, required in (("rim_yield_safety", "> 1"), ("slip_ratio", "< 1")):
+        assert margins[name][0] == required
+    assert margins["rim_yield_safety"][2] == pytest.approx(
+        1.0 / float(margins["rim_yield_safety"][1]), rel=1e-3
+    )
+    assert margins["slip_ratio"][2] == pytest.approx(float(margins["slip_ratio"][1]), rel=1e-3)
+    assert float(margins["torque_safety"][1]) == pytest.approx(-curves["torque_Nm"][-1] / 8.0, rel=1e-3)
+    assert margins["clearance"][1].endswith(" mm")
+    (place,) = (row[2] for row in table["rows"] if RESULTS_BY_LABEL.get(row[0]) == "clearance")
+    assert "_" not in place
     assert set(found["document"]["standing"]["contacts"]) == {
         each["contact"] for each in found["drawing"]["forces"]
     }

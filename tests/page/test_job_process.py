@@ -3,14 +3,13 @@
 from types import SimpleNamespace
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import read_case
 from asperity.page.job_process import BLOCK, run_job
-from asperity.study.design.design_problem import DesignProblem, Objective, WorstCase
-from asperity.study.design.design_result import LimitReport
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
+from asperity.views.blocks import Paragraph
 
 
 def run(kind, file="a.toml", **options):
@@ -29,12 +28,19 @@ def test_options_of_an_uncertainty_arrive(monkeypatch, joint):
 
     def uncertainty(case, **options):
         given.update(options, preload=case.load.preload.value)
+        return {"result": SimpleNamespace(values=np.array(["drift", "efficiency"]))}
 
     monkeypatch.setattr("asperity.study.tolerances.uncertainty.uncertainty", uncertainty)
     monkeypatch.setattr(
         "asperity.study.tolerances.documents.uncertainty_document", lambda found: {"is": "spread"}
     )
-    assert run("uncertainty", joint, samples=512, seed=3, distribution="normal 2 sigma") == {"is": "spread"}
+    monkeypatch.setattr("asperity.views.tolerances.intervals", lambda found: [Paragraph("intervals")])
+    monkeypatch.setattr(
+        "asperity.views.tolerances.variance_shares", lambda found, names: [Paragraph(f"shares of {names}")]
+    )
+    found = run("uncertainty", joint, samples=512, seed=3, distribution="normal 2 sigma")
+    assert [block["text"] for block in found.pop("views")] == ["intervals", "shares of ['drift']"]
+    assert found == {"is": "spread"}
     assert (given["samples"], given["seed"], given["preload"], given["block"]) == (512, 3, 1000.0, BLOCK)
     assert given["distribution"].kind == "normal"
     run("uncertainty", joint, samples=512, seed=3)
@@ -43,12 +49,21 @@ def test_options_of_an_uncertainty_arrive(monkeypatch, joint):
 
 def test_a_sensitivity_is_that_of_the_file(monkeypatch, joint):
     monkeypatch.setattr(
-        "asperity.study.tolerances.sensitivity.sensitivity", lambda case: case.drive.planet_radius.value
+        "asperity.study.tolerances.sensitivity.sensitivity",
+        lambda case: {
+            "result": SimpleNamespace(values=np.array(["drift"])),
+            "radius": case.drive.planet_radius.value,
+        },
     )
     monkeypatch.setattr(
-        "asperity.study.tolerances.documents.sensitivity_document", lambda found: {"is": found}
+        "asperity.study.tolerances.documents.sensitivity_document", lambda found: {"is": found["radius"]}
     )
-    assert run("sensitivity", joint) == {"is": 13.5e-3}
+    monkeypatch.setattr(
+        "asperity.views.tolerances.elasticities", lambda found, names: [Paragraph(f"of {names}")]
+    )
+    found = run("sensitivity", joint)
+    assert found.pop("views")["drift"][0]["text"] == "of ('drift',)"
+    assert found == {"is": 13.5e-3}
 
 
 def test_a_design_has_one_objective(monkeypatch):
@@ -69,38 +84,11 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
     monkeypatch.setattr(
         "asperity.study.design.design_result.design_document", lambda found: {"feasible": True}
     )
-    monkeypatch.setattr("asperity.page.job_process.design_words", lambda found: "words")
-    assert run("design") == {"feasible": True, "conflict": None, "joint_text": "text", "shown": "words"}
-
-
-def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_drive(zou_file):
-    """A wall of 8 mm and a length that the file states; a bore that it does not; a preload and a pressure."""
-    case = read_case(zou_file.with_name("planetary.toml"))
-    problem = DesignProblem(
-        case, "p.toml", "assembly", (), (Objective("preload", 1.0),), (), WorstCase((), "none", 0, 0), 1, 0
-    )
-    limit = LimitReport(
-        "hertz_pressure", "Hertz pressure", "sp", True, 1.4e9, 8.7e8, 0.0, False, 0.0, False, 10.0
-    )
-    result = SimpleNamespace(
-        problem=problem,
-        point={"drive.ring_wall_thickness": 10.49e-3, "drive.planet_bore_diameter": 12e-3},
-        met_words="All limits are met",
-        objective_before=844.4,
-        objective_after=800.0,
-        limits=(limit,),
-    )
-    assert design_words(result) == {
-        "goal": "smallest normal force of the first contact in the assembled drive",
-        "met": "All limits are met",
-        "before": "844.4 N",
-        "after": "800 N",
-        "variables": {
-            "drive.ring_wall_thickness": {"before": "8 mm", "after": "10.49 mm"},
-            "drive.planet_bore_diameter": {"before": None, "after": "12 mm"},
-        },
-        "limits": [{"value": "870 MPa", "limit": "1400 MPa"}],
-    }
+    monkeypatch.setattr("asperity.views.design.design", lambda found: [Paragraph("designed")])
+    monkeypatch.setattr("asperity.views.design.design_warnings", lambda found: [Paragraph("no warnings")])
+    found = run("design")
+    assert [block["text"] for block in found.pop("views")] == ["designed", "no warnings"]
+    assert found == {"feasible": True, "conflict": None, "joint_text": "text"}
 
 
 def test_a_measurement_document_is_read_as_it_is(tmp_path):

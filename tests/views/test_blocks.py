@@ -47,7 +47,13 @@ def test_blocks_for_json_have_their_kind_and_all_fields():
     found = json.loads(json.dumps(block_documents(blocks)))
     assert [block["kind"] for block in found] == ["heading", "warnings", "picture", "listing"]
     assert found[1]["items"] == [
-        {"severity": "damage", "about": "Damage", "text": "it is hot", "meanings": ["it melts"], "remedy": "cool it"}
+        {
+            "severity": "damage",
+            "about": "Damage",
+            "text": "it is hot",
+            "meanings": ["it melts"],
+            "remedy": "cool it",
+        }
     ]
     assert found[2] == {"kind": "picture", "title": "b", "svg": "<svg/>", "sheet": True}
 

@@ -31,7 +31,11 @@ def test_the_recommended_circle_by_its_drop(document):
         rows = cells(table)
         assert list(rows) == [
             "as stated",
-            *(f"{kind}, {share}" for kind in ("circular", "logarithmic") for share in ("half", "recommended", "double")),
+            *(
+                f"{kind}, {share}"
+                for kind in ("circular", "logarithmic")
+                for share in ("half", "recommended", "double")
+            ),
         ]
         drop, radius, coefficient, peak, end = rows["circular, recommended"]
         assert float(drop) == four(1e3 * 10.0**2 / (8.0 * float(radius)))
@@ -39,7 +43,9 @@ def test_the_recommended_circle_by_its_drop(document):
         assert float(peak) == four(1e-6 * contact["profiles"][2]["peak_pressure_Pa"])
         assert float(rows["circular, double"][0]) == four(2.0 * float(drop))
         assert rows["logarithmic, recommended"][1] == "–"
-        assert float(rows["logarithmic, recommended"][2]) == four(1e6 * contact["profiles"][5]["coefficient_m"])
+        assert float(rows["logarithmic, recommended"][2]) == four(
+            1e6 * contact["profiles"][5]["coefficient_m"]
+        )
         assert rows["as stated"][0] == "0"
 
 

@@ -91,7 +91,9 @@ def test_free_numbers_limits_and_results(found):
 def test_steps_have_a_column_and_what_they_cost(found):
     stepped = dataclasses.replace(found.problem.variables[0], step=50.0)
     problem = dataclasses.replace(found.problem, variables=(stepped,))
-    blocks = list(design(dataclasses.replace(found, problem=problem, objective_unrounded=35100.0, at_bound={})))
+    blocks = list(
+        design(dataclasses.replace(found, problem=problem, objective_unrounded=35100.0, at_bound={}))
+    )
     assert tables(blocks)["Free numbers"].head[-1] == "step"
     assert "35100 N·m/rad before rounding to the stated steps." in sentences(blocks)
 

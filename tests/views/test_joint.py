@@ -55,7 +55,9 @@ def test_a_joint_at_another_temperature(view_of):
     said = load(view).text
     assert "; at 60 degC, assembled at 20 degC with " in said
     assert said.endswith("(30 µm)")
-    assert float(said.partition("with ")[2].split()[0]) == four(view.document["preload"]["at_assembly"]["force_N"])
+    assert float(said.partition("with ")[2].split()[0]) == four(
+        view.document["preload"]["at_assembly"]["force_N"]
+    )
 
 
 def test_where_a_joint_gets_loose(paper_view):
@@ -122,7 +124,9 @@ def test_the_capacity_stands_beside_what_limits_it(paper_view, planetary_view):
     )
     nothing = figures(paper_view)["Torque capacity"]
     assert (nothing.text, nothing.value) == ("0 N·m", 0.0)
-    assert nothing.detail.startswith("contact sp beyond first yield without torque; gross slip standing at 13.16 ")
+    assert nothing.detail.startswith(
+        "contact sp beyond first yield without torque; gross slip standing at 13.16 "
+    )
 
 
 @pytest.mark.parametrize(
@@ -231,7 +235,9 @@ def test_the_drive_in_degrees_grams_and_millimetres(paper_view):
         f"radial 0 N, tangential {pins['tangential']:.4g} N, standing"
     )
     assert shown["torque capacity, rolling"].endswith("without gross slip")
-    assert amount(shown["interference to be made"]) == four(1e6 * float(paper_view.solved.result.interference))
+    assert amount(shown["interference to be made"]) == four(
+        1e6 * float(paper_view.solved.result.interference)
+    )
     without = SolvedView(paper_view.solved, paper_view.document)
     assert "interference to be made" not in cells(drive(without))
 

@@ -86,9 +86,7 @@ def test_margins_of_a_joint_have_the_units_of_their_limits(planetary_view):
     _, table = margins(judged(planetary_view.solved))
     rows = {row[0]: row for row in table.rows}
     slip = max(
-        entry["value"]
-        for entry in planetary_view.document["diagnostics"]
-        if entry["name"] == "slip_ratio"
+        entry["value"] for entry in planetary_view.document["diagnostics"] if entry["name"] == "slip_ratio"
     )
     (label,) = {
         entry["label"] for entry in planetary_view.document["diagnostics"] if entry["name"] == "slip_ratio"

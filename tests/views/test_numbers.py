@@ -39,7 +39,9 @@ def test_what_is_absent_is_a_dash():
 
 
 def test_what_is_infinite_is_a_word_without_a_unit():
-    assert {quantity(math.inf, "h"), number(math.inf), percent(math.inf), number_in(math.inf, "h")} == {"infinite"}
+    assert {quantity(math.inf, "h"), number(math.inf), percent(math.inf), number_in(math.inf, "h")} == {
+        "infinite"
+    }
     assert quantity(-math.inf, "N") == "-infinite"
 
 

@@ -143,9 +143,7 @@ def test_skew_gives_thrust_and_takes_friction(view_of):
 def test_a_contact_whose_friction_is_used_by_skew_slips_as_a_whole(planetary_view):
     """Of 0.08, 0.02 are left: less than the traction of 0.068 at the sun, more than none."""
     contacts = planetary_view.document["rolling"]["contacts"]
-    used = with_rolling(
-        planetary_view, contacts=contacts | {"sp": contacts["sp"] | {"capacity_loss": 0.75}}
-    )
+    used = with_rolling(planetary_view, contacts=contacts | {"sp": contacts["sp"] | {"capacity_loss": 0.75}})
     (said,) = (text for text in sentences(rolling(used)) if "slips as a whole" in text)
     assert said.startswith("sp: slips as a whole, because skew uses part of the friction")
     assert not any("slips as a whole" in text for text in sentences(rolling(planetary_view)))
@@ -195,7 +193,9 @@ def test_what_a_life_has_to_reach_is_compared(view_of):
     """Of the drive and of the duty: met, not met."""
     for hours, said in ((1000, "met"), (10**9, "NOT met")):
         view = view_of("planetary", more=LIFE.format(hours))
-        found = [text for text in sentences(rolling(view)) if f"required {hours:.4g}".replace("e+0", "e") in text]
+        found = [
+            text for text in sentences(rolling(view)) if f"required {hours:.4g}".replace("e+0", "e") in text
+        ]
         assert [text.rpartition(": ")[2] for text in found] == [said], sentences(rolling(view))
 
 
@@ -208,9 +208,7 @@ def test_lives_of_bearings_and_lives_that_are_not_known(planetary_view):
             ("duty_life", None, {"value": None, "shown": "not known", "ok": False, "known": False}),
         )
     ]
-    view = with_document(
-        planetary_view, diagnostics=[*planetary_view.document["diagnostics"], *entries]
-    )
+    view = with_document(planetary_view, diagnostics=[*planetary_view.document["diagnostics"], *entries])
     assert [text for text in sentences(rolling(view)) if "required" in text] == [
         "bearing_life, planet pin 1000 h, required 20000 h: NOT met",
         "duty_life not known, required 20000 h; it lives",

@@ -60,6 +60,10 @@ def test_every_panel_of_the_page_has_blocks(planetary_view):
     assert all(panels.values())
     assert [block["kind"] for block in panels["cards"]] == ["figures"]
     margins = panels["margins"][-1]
-    assert (margins["kind"], margins["verdicts"], len(margins["shares"])) == ("table", True, len(margins["rows"]))
+    assert (margins["kind"], margins["verdicts"], len(margins["shares"])) == (
+        "table",
+        True,
+        len(margins["rows"]),
+    )
     kinds = {block["kind"] for blocks in panels.values() for block in blocks}
     assert kinds <= {"figures", "paragraph", "bullets", "table", "warnings"}

@@ -1,6 +1,5 @@
 """Stiffness on every level with what bounds it, laws, intervals, and where the compliance comes from."""
 
-
 import pytest
 from shown_blocks import ARCMINUTE, cells, four, sentences, tables
 
@@ -39,8 +38,7 @@ def test_levels_by_their_units_and_the_fullest_first(paper_view):
     assert [head.partition("\n")[2] for head in shown.head] == ["", "N·m/arcmin", "N·m/rad", "N·m/rad"]
     assert shown.head[-1].startswith("sun\n")
     outputs = [
-        float(each.output)
-        for each in (result.assembly.stiffness, result.series_with_bulk, result.published)
+        float(each.output) for each in (result.assembly.stiffness, result.series_with_bulk, result.published)
     ]
     for row, output, (_, said) in zip(shown.rows, outputs, LEVEL_WORDS, strict=True):
         assert row[0].startswith(said)
@@ -175,9 +173,8 @@ def test_the_interval_over_what_ra_leaves_open(paper_view, drawn):
 
 
 def test_the_parts_of_an_interval_in_newtons_per_micrometre(paper_view):
-    levels = dict.fromkeys(
-        ("assembly", "series_with_bulk", "published"), {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": None}
-    )
+    bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": None}
+    levels = {level: bounds for level, _ in LEVEL_WORDS}
     ends = {"both": [1.5e8, 6.25e8], "contact_law": [2e8, 5.5e8], "rms_height": [2.5e8, 3.5e9]}
     directions = ("asperity_normal_stiffness_N_per_m", "asperity_tangential_stiffness_N_per_m")
     interval = levels | {

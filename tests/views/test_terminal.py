@@ -34,7 +34,10 @@ def shown(*blocks, width=WIDEST, encoding="utf-8"):
 
 def wide_table(columns):
     head = ("contact", *(f"quantity {k}\nN·m" for k in range(columns)))
-    rows = [(name, *(f"{1000 * number + k}.5" for k in range(columns))) for number, name in enumerate(("sp", "wro"))]
+    rows = [
+        (name, *(f"{1000 * number + k}.5" for k in range(columns)))
+        for number, name in enumerate(("sp", "wro"))
+    ]
     return Table("Contacts", head, rows)
 
 
@@ -150,7 +153,9 @@ def test_without_unicode_there_are_no_rules():
 
 
 def test_verdicts_have_colours_on_a_terminal_only():
-    table = Table("T", ("limit", "result"), [("slip", "pass"), ("yield", "FAIL"), ("life", "unknown")], verdicts=True)
+    table = Table(
+        "T", ("limit", "result"), [("slip", "pass"), ("yield", "FAIL"), ("life", "unknown")], verdicts=True
+    )
     stream = io.StringIO()
     show(Console(file=stream, force_terminal=True, width=80, color_system="standard"), [table])
     colours = dict(re.findall(r"\x1b\[([\d;]+)m(pass|FAIL|unknown)", stream.getvalue()))

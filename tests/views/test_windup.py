@@ -47,7 +47,10 @@ def test_stages_are_secants_of_the_curve(wound, document):
         ("K3", "3.333", "5"),
     ]
     for row, stiffness in zip(shown.rows, wound.curve.stage_stiffness, strict=True):
-        assert [float(cell) for cell in row[3:]] == [four(float(stiffness)), four(float(stiffness) * ARCMINUTE)]
+        assert [float(cell) for cell in row[3:]] == [
+            four(float(stiffness)),
+            four(float(stiffness) * ARCMINUTE),
+        ]
 
 
 def test_without_a_bound_the_stages_have_none(document):

@@ -97,7 +97,7 @@ def _block(block: Block, number: int, section: int) -> str:
             said = "" if passed is None else "pass" if passed else "fail"
             words = " ".join(filter(None, ("strong" if strong else "", said)))
             kind = f' class="{words}"' if words else ""
-            return f"<p{kind}>{_text(text)}</p>"
+            return f"<p{kind}>{_lines(text)}</p>"
         case Bullets(items):
             return f"<ul>{''.join(f'<li>{_text(item)}</li>' for item in items)}</ul>"
         case Figures(items):
@@ -131,13 +131,18 @@ def _table(table: Table) -> str:
         return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in pairs)}</tr>"
 
     body = "\n".join(row(cells, "td", _text) for cells in table.rows)
-    head = row(table.head, "th", lambda title: "<br>".join(map(_text, title.split("\n"))))
+    head = row(table.head, "th", _lines)
     caption = f"<caption>{_text(table.title)}</caption>" if table.title else ""
     return f'<div class="wide"><table>{caption}<thead>{head}</thead><tbody>\n{body}\n</tbody></table></div>'
 
 
 def _text(text: str) -> str:
     return html.escape(printable(text))
+
+
+def _lines(text: str) -> str:
+    """A text whose lines stand below each other."""
+    return "<br>".join(map(_text, text.split("\n")))
 
 
 def _inline(svg: str, number: int) -> str:

@@ -14,7 +14,7 @@ from asperity.study.tolerances.documents import ABOUT_FINISHED_PARTS, TOLERANCES
 from asperity.study.tolerances.sensitivity import FINISHED_PART, path_of_input, ranking
 from asperity.units import from_si
 from asperity.views.blocks import Block, Paragraph, Table
-from asperity.views.numbers import NONE, number, percent, quantity, unit_words, words
+from asperity.views.numbers import NONE, number, percent, quantity, sentence, unit_words, words
 
 if TYPE_CHECKING:
     import xarray
@@ -96,8 +96,8 @@ def intervals(spread: xarray.Dataset) -> Iterator[Block]:
     head = ("result", "unit", "as stated", "mean", "standard\ndeviation", "2.5 %", "97.5 %")
     if rows:
         yield Table("95 % of the drawn joints", head, rows, words=(0, 1))
-    for sentence in (*failures(spread, {name: said(spread, name) for name in names}), *named):
-        yield Paragraph(sentence)
+    for text in (*failures(spread, {name: said(spread, name) for name in names}), *named):
+        yield Paragraph(sentence(text))
     if bool(spread["finished_part"].any()):
         yield Paragraph(TOLERANCES_OF_PARTS)
 
