@@ -109,7 +109,7 @@ def _show(target: Console, block: Block) -> None:
 def print_wrapped(target: Console, text: str, *, indent: int, style: str | None = None) -> None:
     """Print a sentence, its later lines indented."""
     target.print(
-        textwrap.fill(text, target.width, subsequent_indent=" " * indent),
+        textwrap.fill(text, target.width, subsequent_indent=" " * indent, break_on_hyphens=False),
         markup=False,
         soft_wrap=True,
         style=style,
