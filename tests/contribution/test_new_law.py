@@ -1,8 +1,10 @@
 """A contributor adds a rival contact law: one file, and everything knows it; a law that lacks something is refused."""
 
 import json
+import tomllib
 from pathlib import Path
 
+import jsonschema
 import pytest
 from package_copy import changed_files, package_copy, run, run_python
 
@@ -268,6 +270,30 @@ def test_a_key_that_is_missing_or_out_of_its_range(with_key, name, said):
     done = run(with_key, "joint", f"{name}.toml")
     assert done.returncode == 2
     assert said in done.stderr
+
+
+@pytest.mark.slow
+def test_a_surface_of_nothing_but_the_laws_own_number(tmp_path, copy):
+    """Such a file states the law; drawing and schema take it, and another law is refused."""
+    folder = package_copy(tmp_path)
+    alone = WITH_KEY.replace('("rms_height", "summit_share")', '("summit_share",)')
+    alone = alone.replace('numbers["rms_height"] * ', "2e-7 * ")
+    (folder / "asperity/contact/laws/greenwood_1966.py").write_text(alone, encoding="utf-8")
+    text = (copy / "heights_by_it.toml").read_text(encoding="utf-8")
+    text = text.replace('rms_height = "0.2 um"', "summit_share = 0.7")
+    for name, law in {"by_it": "greenwood_1966", "by_another": "exponential", "by_none": None}.items():
+        line = "" if law is None else f'contact_law = "{law}"\n'
+        changed = text.replace('contact_law = "greenwood_1966"\n', line)
+        (folder / f"{name}.toml").write_text(changed, encoding="utf-8")
+    found = document(folder, "by_it")
+    assert found["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] > 0.0
+    drawn = run(folder, "draw", "by_it.toml", "--parts", "--out", "drive.pdf")
+    assert drawn.returncode == 0, drawn.stderr
+    schema = json.loads(run(folder, "schema", "--type", "planetary").stdout)
+    jsonschema.validate(tomllib.loads((folder / "by_it.toml").read_text(encoding="utf-8")), schema)
+    none, another = (run(folder, "joint", f"{name}.toml").stderr for name in ("by_none", "by_another"))
+    assert 'surfaces by summit_share: state model.contact_law = "greenwood_1966"' in none
+    assert 'surfaces state summit_share: state "greenwood_1966", or give rms_height' in another
 
 
 @pytest.mark.parametrize(

@@ -255,18 +255,36 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLawNam
         return stated or law_for("measurement").name
     served = served_laws(stated_keys)
     if stated is None:
-        default = [
-            law.name for law in served if any(key in keys for keys in stated_keys for key in law.default_for)
-        ]
-        if not default:
-            raise InputError(
-                "one contact law for all contacts: no law takes what all of these surfaces state, "
-                f"{_told_keys(stated_keys)}; give all of them in one way"
-            )
-        return default[-1]
+        default = _of_no_statement(served, stated_keys)
+        if default is None:
+            raise InputError(_none(served, stated_keys))
+        return default
     if LAWS[stated] not in served:
         raise InputError(_unserved(LAWS[stated], stated_keys, served))
     return stated
+
+
+def _of_no_statement(
+    served: list[type[ContactLaw]], surfaces: list[Collection[str]]
+) -> ContactLawName | None:
+    """The law that knows most of those that are the law of files with such keys; None without one."""
+    default = [law.name for law in served if any(key in keys for keys in surfaces for key in law.default_for)]
+    return default[-1] if default else None
+
+
+def _none(served: list[type[ContactLaw]], surfaces: list[Collection[str]]) -> str:
+    """Why surfaces have no law, and what to do about it."""
+    if served:
+        return f"surfaces by {_told_keys(surfaces)}: state model.contact_law = {_choice(served)}"
+    return (
+        "one contact law for all contacts: no law takes what all of these surfaces state, "
+        f"{_told_keys(surfaces)}; give all of them in one way"
+    )
+
+
+def _choice(laws: list[type[ContactLaw]]) -> str:
+    """The names of laws as a joint file states them."""
+    return " or ".join(f'"{law.name}"' for law in laws)
 
 
 def served_laws(surfaces: Iterable[Collection[str]]) -> list[type[ContactLaw]]:
@@ -286,10 +304,10 @@ def _unserved(law: type[ContactLaw], surfaces: list[Collection[str]], served: li
     needs = f'model.contact_law = "{law.name}" needs {law.needs_words}'
     if law.from_measurement == "decay_length":
         return f"{needs} beside the file, or surface.{' and '.join(law.needs)} in it, for all contacts"
-    others = " or ".join(f'"{each.name}"' for each in served)
-    choice = f", state {others}" if served else ""
     average = [f"; roughness_average stands for {key}" for key in law.needs if key in OF_AVERAGE]
+    remedies = ["leave contact_law out"] if _of_no_statement(served, surfaces) else []
+    remedies += [f"state {_choice(served)}"] if served else []
     return (
-        f"{needs}, while surfaces state {_told_keys(surfaces)}: leave contact_law out{choice}, or give "
-        f"{joined(list(law.needs))} of all contacts{''.join(average)}"
+        f"{needs}, while surfaces state {_told_keys(surfaces)}: {', '.join([*remedies, ''])}"
+        f"{'or ' if remedies else ''}give {joined(list(law.needs))} of all contacts{''.join(average)}"
     )
