@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from asperity.cli.dynamics import RESPONSE
-from asperity.cli.loads import LOADS
-from asperity.cli.windup import ROLLING_CURVES, WINDUP_CURVES
+from asperity.cli.runs.dynamics import RESPONSE
+from asperity.cli.runs.loads import LOADS
+from asperity.cli.runs.windup import ROLLING_CURVES, WINDUP_CURVES
 from asperity.errors import InputError
 from asperity.joint_file.contact_table import _RESULTS, INPUT_COLUMNS, MODEL_COLUMN, OUTPUT_COLUMNS
 from asperity.made_files import (

@@ -50,7 +50,7 @@ def test_what_is_kept_of_a_measured_surface_is_said(call, monkeypatch, heights, 
     case = reader.read_case(EXAMPLES / "zou2025.toml").with_measured(
         SimpleNamespace(heights=heights, text="{}")
     )
-    monkeypatch.setattr(reader, "read_case", lambda file: case)
+    monkeypatch.setattr("asperity.cli.joint_input.read_case", lambda file: case)
     outcome = call("uncertainty", "joint.toml", *options)
     assert outcome.code == 2  # without tolerances
     assert outcome.err.count("what the contacts feel of the measured surface") == notes

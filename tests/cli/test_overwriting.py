@@ -6,7 +6,7 @@ import shutil
 import numpy as np
 import pytest
 
-from asperity.cli.design import front_columns, front_table
+from asperity.cli.runs.design import front_columns, front_table
 from asperity.errors import InputError
 from asperity.joint_file.contact_table import INPUT_COLUMNS, MODEL_COLUMN, convert_contact_table
 from asperity.study.datasets import SWEEP_TABLES

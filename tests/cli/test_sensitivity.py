@@ -25,15 +25,15 @@ def run(*arguments):
 @pytest.mark.slow
 def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     from asperity.joint_file.reader import read_case
-    from asperity.study.tolerances import sensitivity as module
+    from asperity.study.tolerances.sensitivity import sensitivity
 
-    whole = module.sensitivity(read_case(FILE))
+    whole = sensitivity(read_case(FILE))
 
     def asked_for(case, results):  # compiled once for all commands
         rows = [row for row in whole["result"].values.tolist() if row.startswith(tuple(results))]
         return whole.sel(result=rows)
 
-    monkeypatch.setattr(module, "sensitivity", asked_for)
+    monkeypatch.setattr("asperity.cli.runs.sensitivity.differentiate", asked_for)
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
     elasticity = document["results"]["standing_torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)

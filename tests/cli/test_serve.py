@@ -19,8 +19,8 @@ def served(monkeypatch):
         ready("http://127.0.0.1:8642/")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("asperity.page.server.listening_socket", listening)
-    monkeypatch.setattr("asperity.page.server.serve", serve)
+    monkeypatch.setattr("asperity.cli.runs.serve.listening_socket", listening)
+    monkeypatch.setattr("asperity.cli.runs.serve.serve_page", serve)
     monkeypatch.setattr("webbrowser.open", opened.append)
     return asked, opened
 

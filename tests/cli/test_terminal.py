@@ -1,4 +1,4 @@
-"""A bar on a terminal, silence elsewhere."""
+"""Plain letters where a terminal has no others, refusals that name the file, escaped control characters."""
 
 import ast
 import io
@@ -10,7 +10,7 @@ import pytest
 
 from asperity import errors
 from asperity.cli.commands import asperity
-from asperity.cli.terminal import about, console, print_json, progress_bar, show_blocks
+from asperity.cli.terminal import about, console, print_json, show_blocks
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
 from asperity.views.blocks import Paragraph, Table
 from asperity.views.terminal import WIDEST
@@ -35,31 +35,6 @@ def test_a_pipe_without_unicode_gets_plain_letters(monkeypatch):
 def test_a_pipe_is_as_wide_as_tables_may_be(monkeypatch):
     monkeypatch.setattr("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding="utf-8"))
     assert console().width == WIDEST
-
-
-class Terminal(io.StringIO):
-    def isatty(self):
-        return True
-
-
-def test_nothing_is_said_where_nobody_watches(monkeypatch):
-    stream = io.StringIO()
-    monkeypatch.setattr("sys.stderr", stream)
-    with progress_bar("points") as report:
-        report(1, 2)
-    assert stream.getvalue() == ""
-
-
-def test_a_terminal_sees_how_far_the_work_is(monkeypatch):
-    stream = Terminal()
-    monkeypatch.setattr("sys.stderr", stream)
-    monkeypatch.setenv("TERM", "xterm")
-    with progress_bar("points") as report:
-        report(0, 40)
-        report(30, 40)
-    shown = stream.getvalue()
-    assert "compiling, then points" in shown
-    assert "30/40" in shown
 
 
 @pytest.mark.parametrize("kind", [InputError, NoSolutionError])

@@ -71,7 +71,7 @@ def test_a_picture_that_cannot_be_drawn_is_refused_before_anything_is_computed(m
     def compute(*_, **__):
         raise AssertionError("it was computed")
 
-    monkeypatch.setattr("asperity.verify.comparison.compare", compute)
+    monkeypatch.setattr("asperity.cli.runs.verify_contact.compare", compute)
     result = CliRunner().invoke(asperity, ["verify-contact", *SMALL, "--plot", "law.xyz"])
     assert isinstance(result.exception, InputError)
     assert "law.xyz: the name of an image must end in .png, .svg or .pdf" in str(result.exception)

@@ -1,8 +1,8 @@
 """The commands by name.
 
-Each command lives in a module of its own that is imported only when the command runs, so that
-``asperity --help`` stays fast. Errors of :mod:`asperity.errors` become one line on standard error and an
-exit code: 0 fine, 2 bad input, 3 no solution.
+The options of each command stand in a module of their own, which is imported only when the command is asked for, and
+what it does in one of :mod:`asperity.cli.runs`, imported only when it runs: ``asperity --help`` stays fast. Errors of
+:mod:`asperity.errors` become one line on standard error and an exit code: 0 fine, 2 bad input, 3 no solution.
 """
 
 from __future__ import annotations

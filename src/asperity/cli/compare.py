@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation, print_json, show_blocks
+from asperity.cli.options import json_option
+from asperity.cli.run_by_name import run_by_name
 
 
 @click.command()
@@ -14,13 +15,6 @@ from asperity.cli.terminal import json_option, prepare_computation, print_json, 
 @click.option(
     "--all", "in_full", is_flag=True, help="Show every result that differs, not only the main ones."
 )
-def compare(one: str, other: str, as_json: bool, in_full: bool) -> None:
+@run_by_name
+def compare() -> None:
     """What differs between the joints in ONE and OTHER: what the files say, and what comes out."""
-    prepare_computation()
-    from asperity.api.comparison import compare as compared
-
-    comparison = compared(one, other)
-    if as_json:
-        print_json(comparison.document())
-        return
-    show_blocks(*comparison.blocks(in_full=in_full))

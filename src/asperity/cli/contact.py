@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import prepare_computation
+from asperity.cli.run_by_name import run_by_name
 
 
 @click.command()
@@ -18,7 +18,8 @@ from asperity.cli.terminal import prepare_computation
     show_default=True,
     help="Variant of the base length of an asperity.",
 )
-def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
+@run_by_name
+def contact() -> None:
     """Spots, loads and stiffness of every roller pair in a CSV table.
 
     Columns of the table: D, G_mm, F_N, T_N, mu, R1_mm, R2_mm, sign (1 outer, -1 inner contact), B_mm, E1_MPa,
@@ -27,30 +28,3 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
     plastic (a_l <= a_c): the contact law has no stiffness there. If a row is invalid, the message gives its line
     and column, and nothing is written.
     """
-    from asperity.errors import InputError
-    from asperity.joint_file.limits import FREQUENCY_RATIO
-
-    try:
-        FREQUENCY_RATIO.check(gamma)
-    except InputError as error:
-        raise InputError(f"--gamma: {error}") from None
-    prepare_computation()
-    from asperity.cli.terminal import rows_progress, say
-    from asperity.joint_file.contact_table import convert_contact_table
-
-    with rows_progress("rows") as progress:
-        summary = convert_contact_table(
-            table,
-            out,
-            frequency_ratio=gamma,
-            asperity_base=asperity_base,  # type: ignore[arg-type]
-            progress=progress,
-        )
-    if summary.replaced_columns:
-        say(f"replaced the columns {', '.join(summary.replaced_columns)} of {table}")
-    say(f"wrote {out}: {summary.rows} roller pair{'s' * (summary.rows != 1)}")
-    if summary.plastic_rows:
-        say(
-            f"Kt and Kn are nan in {summary.plastic_rows} of them: every spot is plastic (a_l <= a_c), where the "
-            "contact law has no stiffness; real surfaces keep one, which needs boundary elements"
-        )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import about, check_title, prepare_computation, say, say_written, title_options
+from asperity.cli.options import title_options
+from asperity.cli.run_by_name import run_by_name
 
 
 @click.command()
@@ -24,7 +25,8 @@ from asperity.cli.terminal import about, check_title, prepare_computation, say, 
     help="A sheet for each kind of roller and ring too: further pages of a PDF file, otherwise files beside it.",
 )
 @title_options
-def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
+@run_by_name
+def draw() -> None:
     """Draw the drive described in FILE to scale: view, section along the axis, parts, tolerances and title block.
 
     The sheet is A3, that of a part A4; the scale is the largest standard one that fits; print it in full size. A wall
@@ -35,21 +37,3 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
     does not state is a dash, or is said not to be stated. With --forces there is no section. A DXF file contains the
     true sizes in mm, with DIMENSION entities; it needs the optional package ezdxf.
     """
-    from asperity.api.documents import check_drawing
-    from asperity.cli.terminal import read_case_of_branches
-    from asperity.joint_file.reader import read_case
-
-    check_drawing(out, file)
-    check_title(stated)
-    case = read_case_of_branches(file) if forces else read_case(file)
-    prepare_computation()
-    from asperity.api.documents import draw as drawn
-    from asperity.api.joint import DescribedJoint
-
-    def warn(sentence: str) -> None:
-        say(f"asperity: warning: {sentence}")
-
-    with about(file):
-        files = drawn(DescribedJoint(case, file), out, forces=forces, parts=parts, title=stated, notice=warn)
-    for path in files:
-        say_written(str(path))

@@ -2,19 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import click
 
-from asperity.cli.terminal import (
-    about,
-    about_torque,
-    prepare_computation,
-    read_option,
-    say_written,
-    show_blocks,
-)
-from asperity.views.blocks import Paragraph
+from asperity.cli.run_by_name import run_by_name
 
 #: Names of the targets; asperity.export.targets has their writers.
 TARGETS = ("table", "mujoco", "fmu", "modelica")
@@ -42,7 +32,8 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     show_default=True,
     help="Level of the stiffness that makes the wind-up.",
 )
-def export(file: str, to: str, out: str, torque: str | None, level: str) -> None:
+@run_by_name
+def export() -> None:
     """Write the joint described in FILE for other programs: stiffness, hysteresis, play and drift.
 
     table: stiffness at three levels, wind-up, hysteresis loop and drift per output turn over the torque.
@@ -57,30 +48,3 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.
     """
-    from asperity.cli.terminal import read_case_of_branches
-    from asperity.export.targets import check_target
-
-    check_target(to, out, file)
-    case = read_case_of_branches(file)
-    from asperity.unit_table import Dimension
-
-    asked = None if torque is None else read_option("torque", torque, Dimension.TORQUE)
-    prepare_computation()
-    from asperity.export.content import export_content, heading
-    from asperity.export.targets import exported, write_exported
-    from asperity.joint_file.own_branches import with_own_branches
-    from asperity.joint_file.section_build import inertias_from_case
-
-    with about(file), about_torque(torque):
-        content = export_content(
-            with_own_branches(case),
-            inertias=None if case.dynamics is None else inertias_from_case(case),
-            source=Path(file).name,
-            largest_torque=asked,
-            level=level,  # type: ignore[arg-type]
-        )
-    made = exported(content, to=to, suffix=Path(out).suffix)
-    write_exported(made, out)
-    sentences = (*heading(content, what=f"{out}: {to}"), *made.notes)
-    show_blocks(*map(Paragraph, sentences))
-    say_written(out)

@@ -2,22 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import click
 
-from asperity.cli.terminal import (
-    json_option,
-    plot_option_of,
-    prepare_computation,
-    print_json,
-    save_image,
-    show_blocks,
-)
-from asperity.writing import check_image
-
-if TYPE_CHECKING:
-    pass
+from asperity.cli.options import json_option, plot_option_of
+from asperity.cli.run_by_name import run_by_name
 
 
 @click.command()
@@ -31,7 +19,8 @@ if TYPE_CHECKING:
 )
 @json_option("Print all results as one JSON document in SI units.")
 @plot_option_of("sensitivity.png", "Draw a tornado plot, to sensitivity.png if no name is given.")
-def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None:
+@run_by_name
+def sensitivity() -> None:
     """Exact derivatives and elasticities of the joint in FILE with respect to every number in it.
 
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result. A radius
@@ -39,33 +28,3 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     load.interference makes the preload, "(finished part)" is the row of a part that deviates while all others stay as
     they are, as for uncertainty and tolerances.
     """
-    from asperity.cli.terminal import about, read_case_of_branches
-
-    case = read_case_of_branches(file)
-    prepare_computation()
-    from asperity.joint_file.any_joint import results_of
-    from asperity.joint_file.si_tables import si_values
-    from asperity.results import known_result
-    from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows
-    from asperity.study.tolerances.sensitivity import sensitivity as differentiate
-
-    table = results_of(si_values(case))
-    rows = differentiable_rows(table)
-    asked = rows[known_result(result, among=tuple(rows))]
-    check_image(plot, file)
-    others = [name for name in DEFAULT_RESULTS if name in table] if as_json or plot is not None else []
-    names = tuple(dict.fromkeys((*others, asked)))
-    with about(file):
-        dataset = differentiate(case, names)
-    if as_json:
-        from asperity.study.tolerances.documents import sensitivity_document
-
-        print_json(sensitivity_document(dataset))
-    else:
-        from asperity.views.tolerances import elasticities
-
-        show_blocks(*elasticities(dataset, (result,)))
-    if plot is not None:
-        from asperity.study.tolerances.influence_plot import tornado_figure
-
-        save_image(tornado_figure(dataset, result=result), plot)

@@ -9,6 +9,13 @@ import click
 import numpy as np
 
 from asperity.cli.terminal import show_blocks
+from asperity.joint.pin_bound import RIGID_PINS
+from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES
+from asperity.joint_file.si_tables import key_at
+from asperity.results import RESULTS, row_name
+from asperity.study.datasets import rows_of
+from asperity.study.parameters import long_name
+from asperity.units import format_quantity, from_si
 from asperity.views.blocks import Table
 
 if TYPE_CHECKING:
@@ -30,8 +37,6 @@ _MOST_NAMES = 8
 
 def show_status(dataset: xarray.Dataset) -> None:
     """Say how many points have a result, and why others have none."""
-    from asperity.joint.status import STATUS_MEANINGS
-
     counts = status_counts(dataset)
     total = sum(counts.values())
     click.echo(f"{total} point{'s' * (total != 1)}, {counts.get(0, 0)} solved")
@@ -72,13 +77,6 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
 
     ``asked_units`` of axes and results by their names; the others have those of every table.
     """
-    from asperity.joint.status import STATUS_NAMES
-    from asperity.joint_file.si_tables import key_at
-    from asperity.results import RESULTS, row_name
-    from asperity.study.datasets import rows_of
-    from asperity.study.parameters import long_name
-    from asperity.units import from_si
-
     axes = [str(name) for name in dataset["status"].dims]
     asked = [str(name) for name in dataset.data_vars if name != "status"]
     of_result = {name: rows_of(dataset, name) for name in asked}
@@ -141,8 +139,6 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
 
 def show_bounds(said: dict[str, str]) -> None:
     """Say which results, by name, are bounds and no values, as far as what is said of them tells."""
-    from asperity.joint.pin_bound import RIGID_PINS
-
     names = [name for name, words in said.items() if RIGID_PINS in words]
     if names:
         click.echo(f"{RIGID_PINS}: {', '.join(names)}")
@@ -154,8 +150,6 @@ def _unit(unit: str) -> str:
 
 def _cell(one: xarray.DataArray, result: Result, unit: str) -> str:
     """A value in the unit of the column; a category by its name."""
-    from asperity.units import format_quantity, from_si
-
     value = float(one)
     if np.isnan(value):
         return "-"

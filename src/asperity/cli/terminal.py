@@ -7,9 +7,10 @@ terminal as a control sequence, and turns a full disk behind standard output int
 from __future__ import annotations
 
 import codecs
+import json
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import Console
 
-    from asperity.joint_file.si_tables import AnyCase
-    from asperity.unit_table import Dimension
     from asperity.views.blocks import Block
 
 _IN_ASCII = {
@@ -38,13 +37,6 @@ _IN_ASCII = {
     "±": "+-",
     "≥": ">=",
     "…": "...",
-}
-#: Options of a title block.
-_TITLE = {
-    "project": "Project for the title block; nothing is filled in without it, as for the next three.",
-    "part": "Number or name of the part for the title block.",
-    "revision": "Revision for the title block.",
-    "date": "Date for the title block.",
 }
 
 
@@ -186,40 +178,6 @@ def save_image(figure: Figure, path: str | Path) -> None:
 
 
 @contextmanager
-def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
-    """A counter on standard error for work of unknown length; nothing is shown if that is not a terminal."""
-    target = rich_console(stderr=True)
-    if not target.is_terminal:
-        yield lambda done: None
-        return
-    from asperity.writing import if_abandoned
-
-    with target.status(f"0 {unit}") as status, if_abandoned(status.stop):
-        yield lambda done: status.update(f"{done} {unit}")
-
-
-@contextmanager
-def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
-    """A bar that shows how much of the work is done; yields what takes the number done and the total."""
-    if not sys.stderr.isatty():
-        yield lambda done, total: None
-        return
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    from asperity.writing import if_abandoned
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    shown = Progress(*columns, console=rich_console(stderr=True), transient=True)
-    with shown as progress, if_abandoned(progress.stop):
-        task = progress.add_task(f"compiling, then {what}", total=None)
-
-        def report(done: int, total: int) -> None:
-            progress.update(task, completed=done, total=total, description=what if done else None)
-
-        yield report
-
-
-@contextmanager
 def about(file: str, *others: str | None) -> Iterator[None]:
     """While the joint of a file is solved: refusals begin with the name of the file.
 
@@ -244,51 +202,8 @@ def about_torque(stated: str | None) -> Iterator[None]:
         raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
 
 
-def read_option(name: str, text: str, dimension: Dimension) -> float:
-    """The SI value of an option's text with its unit; a refusal begins with the option."""
-    from asperity.units import parse_quantity
-
-    try:
-        return parse_quantity(text, dimension)
-    except InputError as error:
-        raise InputError(f"--{name}: {error}") from None
-
-
-#: When what contacts feel of a measured surface is computed.
-FELT_UNDER_TORQUE = (
-    "what the contacts feel of the measured surface is that under the torque of the file, and stays at other torques, "
-    "in calibrations and drawn branches; sweeps, charts, designs, sensitivities and samples compute it at every point"
-)
-
-
-def read_case_of_branches(file: str) -> AnyCase:
-    """A joint file; notes say that the results are those of its sections ``[[branch]]``, and of a measured surface."""
-    from asperity.joint_file.reader import read_case
-
-    case = read_case(file)
-    if case.branch is not None:
-        click.echo(
-            "asperity: note: the results are those of the branches of the file, [[branch]]; contacts and rollers have "
-            "the number of theirs",
-            err=True,
-        )
-    if case.measured is not None and case.measured.heights is not None:
-        click.echo(f"asperity: note: {FELT_UNDER_TORQUE}", err=True)
-    return case
-
-
-def prepare_computation() -> None:
-    """Compute in double precision, and keep compiled programs between commands."""
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
-
-
 def print_json(document: dict[str, Any]) -> None:
     """Print one JSON document, which has no number that JSON does not know."""
-    import json
-
     click.echo(json.dumps(in_unicode(document), indent=2, allow_nan=False))
 
 
@@ -299,64 +214,3 @@ def in_unicode(document: Any) -> Any:
     if isinstance(document, dict):
         return {in_unicode(name): in_unicode(value) for name, value in document.items()}
     return [in_unicode(value) for value in document] if isinstance(document, list | tuple) else document
-
-
-def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:
-    """The option ``--json`` of a command, its argument ``as_json``."""
-    return click.option("--json", "as_json", is_flag=True, help=text)
-
-
-def plot_option(text: str) -> Callable[..., Any]:
-    """The option ``--plot`` of a command that draws, its argument ``plot_file``."""
-    return click.option("--plot", "plot_file", type=click.Path(dir_okay=False), help=text)
-
-
-def plot_option_of(image: str, text: str) -> Callable[..., Any]:
-    """The option ``--plot`` of a study, which draws to ``image`` where no name is given, its argument ``plot``."""
-    return click.option(
-        "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
-    )
-
-
-def surface_option(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command the options ``--surface``, as the argument ``surfaces``, and ``--measurement-of``."""
-    from asperity.surface.measurement_of import WORDS
-
-    text = (
-        "Measured surface of all contacts, from 'asperity surface measure --json', that both bodies of a contact have; "
-        "twice: one for each body."
-    )
-    option = click.option(
-        "--surface", "surfaces", multiple=True, type=click.Path(), metavar="MEASUREMENT", help=text
-    )
-    of = click.option(
-        "--measurement-of",
-        type=click.Choice(WORDS),
-        help="What one --surface is of: one body, as both then are, or the pair of both together.  [default: what its "
-        "document says: a pair where 'asperity surface combine' made it]",
-    )
-    return option(of(command))
-
-
-def refuse_lonely_measurement_of(surfaces: tuple[str, ...], measurement_of: str | None) -> None:
-    """Raise an ``InputError`` if it is said of what a measurement is where none is given."""
-    from asperity.errors import InputError
-
-    if measurement_of is not None and not surfaces:
-        raise InputError(
-            "--measurement-of belongs to --surface; in the joint file it is surface.measurement_of"
-        )
-
-
-def title_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command the options of a title block, as keyword arguments of the same names."""
-    for name, text in reversed(_TITLE.items()):
-        command = click.option(f"--{name}", default="", help=text)(command)
-    return command
-
-
-def check_title(stated: dict[str, str]) -> None:
-    """Refuse an option of the title block that is too long."""
-    from asperity.show.title_block import stated_title
-
-    stated_title(stated, option="--")

@@ -11,7 +11,7 @@ import pytest
 from scipy.special import logsumexp
 from scipy.stats import chi2, norm
 
-from asperity.cli.calibrate import _document
+from asperity.cli.runs.calibrate import _document
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration import posterior as module
