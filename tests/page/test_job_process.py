@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.page.job_process import BLOCK, run_job
+from asperity.page.job_process import run_job
+from asperity.page.study_jobs import BLOCK
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
-from asperity.views.blocks import Paragraph
 
 
 def run(kind, file="a.toml", **options):
@@ -23,71 +23,65 @@ def joint(tmp_path, joint_text):
     return path
 
 
-def test_options_of_an_uncertainty_arrive(monkeypatch, joint):
+@pytest.fixture
+def shown(monkeypatch):
+    """The views of a study, as what they are of."""
+    for view in ("elasticities", "intervals", "variance_shares", "designed", "design_warnings"):
+        monkeypatch.setattr(f"asperity.page.study_jobs.{view}", lambda *of, name=view: [(name, *of[1:])])
+    monkeypatch.setattr("asperity.page.study_jobs.block_documents", list)
+
+
+def of_results(*names):
+    """A dataset of some results."""
+    return {"result": SimpleNamespace(values=np.array(names))}
+
+
+def test_options_of_an_uncertainty_arrive(monkeypatch, joint, shown):
     given = {}
 
     def uncertainty(case, **options):
         given.update(options, preload=case.load.preload.value)
-        return {"result": SimpleNamespace(values=np.array(["drift", "efficiency"]))}
+        return of_results("mass", "drift")
 
-    monkeypatch.setattr("asperity.study.tolerances.uncertainty.uncertainty", uncertainty)
-    monkeypatch.setattr(
-        "asperity.study.tolerances.documents.uncertainty_document", lambda found: {"is": "spread"}
-    )
-    monkeypatch.setattr("asperity.views.tolerances.intervals", lambda found: [Paragraph("intervals")])
-    monkeypatch.setattr(
-        "asperity.views.tolerances.variance_shares", lambda found, names: [Paragraph(f"shares of {names}")]
-    )
+    monkeypatch.setattr("asperity.page.study_jobs.propagate", uncertainty)
+    monkeypatch.setattr("asperity.page.study_jobs.uncertainty_document", lambda found: {"is": "spread"})
     found = run("uncertainty", joint, samples=512, seed=3, distribution="normal 2 sigma")
-    assert [block["text"] for block in found.pop("views")] == ["intervals", "shares of ['drift']"]
-    assert found == {"is": "spread"}
+    assert found == {"is": "spread", "views": [("intervals",), ("variance_shares", ["mass"])]}
     assert (given["samples"], given["seed"], given["preload"], given["block"]) == (512, 3, 1000.0, BLOCK)
     assert given["distribution"].kind == "normal"
     run("uncertainty", joint, samples=512, seed=3)
     assert given["distribution"] is None
 
 
-def test_a_sensitivity_is_that_of_the_file(monkeypatch, joint):
-    monkeypatch.setattr(
-        "asperity.study.tolerances.sensitivity.sensitivity",
-        lambda case: {
-            "result": SimpleNamespace(values=np.array(["drift"])),
-            "radius": case.drive.planet_radius.value,
-        },
-    )
-    monkeypatch.setattr(
-        "asperity.study.tolerances.documents.sensitivity_document", lambda found: {"is": found["radius"]}
-    )
-    monkeypatch.setattr(
-        "asperity.views.tolerances.elasticities", lambda found, names: [Paragraph(f"of {names}")]
-    )
-    found = run("sensitivity", joint)
-    assert found.pop("views")["drift"][0]["text"] == "of ('drift',)"
-    assert found == {"is": 13.5e-3}
+def test_a_sensitivity_is_that_of_the_file_with_a_view_of_each_result(monkeypatch, joint, shown):
+    read = []
+
+    def sensitivity(case):
+        read.append(case.drive.planet_radius.value)
+        return of_results("mass", "drift")
+
+    monkeypatch.setattr("asperity.page.study_jobs.differentiate", sensitivity)
+    monkeypatch.setattr("asperity.page.study_jobs.sensitivity_document", lambda found: {"is": "influence"})
+    views = {name: [("elasticities", (name,))] for name in ("mass", "drift")}
+    assert run("sensitivity", joint) == {"is": "influence", "views": views}
+    assert read == [13.5e-3]
 
 
 def test_a_design_has_one_objective(monkeypatch):
     problem = SimpleNamespace(objectives=[1, 2])
-    monkeypatch.setattr("asperity.study.design.design_file.read_design", lambda file: problem)
+    monkeypatch.setattr("asperity.page.study_jobs.read_design", lambda file: problem)
     with pytest.raises(InputError, match=r"my\.toml: the page designs for one objective"):
         run("design", "my.toml")
 
 
-def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
+def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch, shown):
     result = SimpleNamespace(feasible=True, converged=True, joint_text="text")
-    case = SimpleNamespace(measured=None)
-    monkeypatch.setattr(
-        "asperity.study.design.design_file.read_design",
-        lambda file: SimpleNamespace(objectives=[1], case=case),
-    )
-    monkeypatch.setattr("asperity.study.design.design.design", lambda problem, progress: result)
-    monkeypatch.setattr(
-        "asperity.study.design.design_result.design_document", lambda found: {"feasible": True}
-    )
-    monkeypatch.setattr("asperity.views.design.design", lambda found: [Paragraph("designed")])
-    monkeypatch.setattr("asperity.views.design.design_warnings", lambda found: [Paragraph("no warnings")])
+    problem = SimpleNamespace(objectives=[1], case=SimpleNamespace(measured=None))
+    monkeypatch.setattr("asperity.page.study_jobs.read_design", lambda file: problem)
+    monkeypatch.setattr("asperity.page.study_jobs.search", lambda problem, progress: result)
+    monkeypatch.setattr("asperity.page.study_jobs.design_document", lambda found: {"feasible": True})
     found = run("design")
-    assert [block["text"] for block in found.pop("views")] == ["designed", "no warnings"]
+    assert found.pop("views") == [("designed",), ("design_warnings",)]
     assert found == {"feasible": True, "conflict": None, "joint_text": "text"}
 
 

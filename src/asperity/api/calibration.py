@@ -21,6 +21,7 @@ from asperity.study.calibration.calibrate import (
     calibrated_text,
 )
 from asperity.study.calibration.calibration_plot import calibration_figure
+from asperity.study.calibration.posterior import posterior, require_numpyro
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import dimension_of, unit_of
 from asperity.units import from_si
@@ -153,8 +154,6 @@ class CalibratedJoint(Shown):
         seed : int, optional
             Of the draws.
         """
-        from asperity.study.calibration.posterior import posterior, require_numpyro
-
         require_numpyro()
         return posterior(self.calibration, draws=draws, seed=seed)
 

@@ -15,7 +15,9 @@ from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.results import known_result
 from asperity.study.design.design import design as search
 from asperity.study.design.design_file import read_design
+from asperity.study.design.design_plot import design_figure
 from asperity.study.design.design_result import DesignResult, shortcoming
+from asperity.study.design.pareto import pareto_front, require_pymoo
 from asperity.study.parameters import long_name
 from asperity.views.blocks import Block
 from asperity.views.design import design as designed
@@ -55,8 +57,6 @@ def design(
     use_compilation_cache()
     problem = read_design(path)
     if len(problem.objectives) > 1:
-        from asperity.study.design.pareto import pareto_front, require_pymoo
-
         require_pymoo()
         return pareto_front(problem, population=population, generations=generations)
     result = search(problem)
@@ -108,8 +108,6 @@ class DesignedJoint(Shown):
 
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
-        from asperity.study.design.design_plot import design_figure
-
         return displayed(design_figure(self.result))
 
     def blocks(self) -> list[Block]:

@@ -9,8 +9,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from asperity.api.joint import DescribedJoint, require_joint
+from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.own_branches import with_own_branches
+from asperity.joint_file.quantity_key import parse_distribution
+from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.made_files import DRAWING, IMAGE, REPORT
+from asperity.reading import read_text
+from asperity.report.joint_report import ReportSource, joint_report
+from asperity.report.pdf import report_pdf, require_typst
+from asperity.report.study_sections import STUDIED, ReportStudies
+from asperity.show.drive_sheet import drive_sheet
+from asperity.show.part_sheets import part_sheets
+from asperity.show.sheet_figure import sheet_figure
+from asperity.show.title_block import stated_title
+from asperity.views.html import report_html
 from asperity.writing import IMAGE_SUFFIXES, check_file, replacing, write_image, write_pages, write_text
 
 if TYPE_CHECKING:
@@ -62,9 +77,6 @@ def draw(
     MissingExtraError
         If a DXF file is asked for and ezdxf is not installed.
     """
-    from asperity.show.sheet_figure import sheet_figure
-    from asperity.show.title_block import stated_title
-
     require_joint(joint)
     out = Path(path)
     check_drawing(out, joint.source)
@@ -101,20 +113,11 @@ def _sheets(
     joint: DescribedJoint, forces: bool, parts: bool, title: Title, notice: Callable[[str], Any]
 ) -> dict[str, Sheet]:
     """End of the name of each file → its sheet: the assembly, then the parts."""
-    from asperity.drive.layout.existence import refuse_impossible
-    from asperity.joint_file.build import joint_from_case
-    from asperity.joint_file.own_branches import with_own_branches
-    from asperity.joint_file.stated_parts import stated_parts
-    from asperity.show.drive_sheet import drive_sheet
-    from asperity.show.part_sheets import part_sheets
-
     case = joint.case
     drawn = joint_from_case(case)
     refuse_impossible(drawn.drive)
     loaded = result = None
     if forces:
-        from asperity.joint.solve import solve_joint
-
         loaded = with_own_branches(case)
         result = solve_joint(loaded).result
     made, stated = _interference(case, result, joint.source, notice), stated_parts(case, drawn)
@@ -137,8 +140,6 @@ def _interference(
     case: AnyCase, result: JointResult | None, source: str, notice: Callable[[str], Any]
 ) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a notice."""
-    from asperity.joint_file.stated_parts import made_interference
-
     made = made_interference(case, result)
     if made.size is None:
         notice(
@@ -202,9 +203,6 @@ def write_report(
     The same input gives the same report, byte for byte.
     """
     from asperity.joint_file.edited_text import joint_file_text
-    from asperity.reading import read_text
-    from asperity.report.joint_report import ReportSource, joint_report
-    from asperity.show.title_block import stated_title
 
     require_joint(joint)
     out, case = Path(path), joint.case
@@ -233,14 +231,10 @@ def write_report(
         made = joint_report(source)
         done(2, 2)
     if out.suffix.lower() == ".pdf":
-        from asperity.report.pdf import report_pdf
-
         content = report_pdf(made)
         with replacing(out, kind=REPORT) as part:
             part.write_bytes(content)
     else:
-        from asperity.views.html import report_html
-
         write_text(report_html(made), out, kind=REPORT)
     return out
 
@@ -252,8 +246,6 @@ def check_report(path: str | Path, *inputs: str | Path) -> None:
         raise InputError(f"{path}: the name of a report must end in .html or .pdf")
     check_file(path, *inputs, kind=REPORT)
     if suffix == ".pdf":
-        from asperity.report.pdf import require_typst
-
         require_typst()
 
 
@@ -267,10 +259,6 @@ def _studies(
     progress: Callable[[str], AbstractContextManager[Progress]],
 ) -> ReportStudies:
     """Make the studies that a report is to show."""
-    from asperity.joint_file.quantity_key import parse_distribution
-    from asperity.reading import read_text
-    from asperity.report.study_sections import STUDIED, ReportStudies
-
     sensitivities = spread = designed = problem = None
     options = []
     otherwise = None if distribution is None else parse_distribution(distribution)

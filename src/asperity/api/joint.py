@@ -10,12 +10,19 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.named_quantity import NamedQuantity, columns_of, si_number
 from asperity.api.shown import Shown, frame
+from asperity.api.solution import JointSolution
 from asperity.errors import InputError, quoted
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.choices import choices_of_case
 from asperity.joint_file.reader import parse_case, read_case
-from asperity.joint_file.si_tables import AnyCase
+from asperity.joint_file.si_tables import AnyCase, check_values, key_at, numeric_keys
+from asperity.joint_file.solved_document import solved_case
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.units import format_quantity
+from asperity.study.parameters import long_name
+from asperity.units import format_quantity, from_si
 from asperity.views.blocks import Block, Paragraph, Table
+from asperity.writing import write_text
 
 if TYPE_CHECKING:
     from asperity.api.solution import JointSolution
@@ -73,9 +80,6 @@ class DescribedJoint(Shown):
     @property
     def numbers(self) -> dict[str, NamedQuantity]:
         """Every number that the file states: dotted path → quantity."""
-        from asperity.joint_file.si_tables import numeric_keys
-        from asperity.study.parameters import long_name
-
         return {
             path: NamedQuantity(path, long_name(path), entry.value, entry.key.dimension, entry.key.unit)
             for path, entry in numeric_keys(self.case).items()
@@ -83,8 +87,6 @@ class DescribedJoint(Shown):
 
     def __getitem__(self, path: str) -> NamedQuantity:
         """One number of the file, such as ``load.preload``."""
-        from asperity.joint_file.si_tables import key_at
-
         numbers = self.numbers
         if path not in numbers:
             key_at(path, self.case.type)  # raises if no joint file has such a number
@@ -97,9 +99,6 @@ class DescribedJoint(Shown):
     @property
     def assumptions(self) -> tuple[str, ...]:
         """What the file leaves out and what is assumed instead, one sentence each."""
-        from asperity.joint_file.assumptions import assumptions
-        from asperity.joint_file.build import joint_from_case
-
         return assumptions(self.case, joint_from_case(self.case))
 
     def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
@@ -123,9 +122,7 @@ class DescribedJoint(Shown):
         InputError
             If there is no such number or word, a unit is missing or wrong, or a number is outside its range.
         """
-        from asperity.joint_file.choices import choices_of_case
         from asperity.joint_file.edited_text import joint_file_text
-        from asperity.joint_file.si_tables import check_values, key_at
 
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
@@ -197,7 +194,6 @@ class DescribedJoint(Shown):
             If it cannot be written.
         """
         from asperity.joint_file.edited_text import joint_file_text
-        from asperity.writing import write_text
 
         write_text(joint_file_text(self.case, {}, comment=""), str(path))
 
@@ -216,16 +212,10 @@ class DescribedJoint(Shown):
         NoSolutionError
             If the force balance does not close.
         """
-        from asperity.api.solution import JointSolution
-        from asperity.joint_file.solved_document import solved_case
-
         return JointSolution(self.case, solved_case(self.case), source=self.source, summary=self.summary)
 
     def to_frame(self) -> Any:
         """The numbers of the file as a pandas data frame: value, unit, SI value, SI unit, tolerance (in the unit)."""
-        from asperity.joint_file.si_tables import numeric_keys
-        from asperity.units import from_si
-
         stated, numbers = numeric_keys(self.case), self.numbers
         return frame(
             {

@@ -10,6 +10,9 @@ from asperity.api.shown import displayed
 from asperity.api.solution import JointSolution
 from asperity.joint.solve import refuse_no_rolling
 from asperity.joint_file.solved_document import solved_case
+from asperity.rolling.curves import rolling_curves
+from asperity.show.rolling_figure import rolling_figure
+from asperity.show.style import plain_title
 from asperity.views.blocks import Block
 from asperity.views.screens import rolling_screen
 
@@ -53,10 +56,6 @@ class JointRolling(JointSolution):
 
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
-        from asperity.rolling.curves import rolling_curves
-        from asperity.show.rolling_figure import rolling_figure
-        from asperity.show.style import plain_title
-
         joint, result = self._solved.joint, self._solved.result
         capacity = self.document["rolling"]["torque_capacity_Nm"]  # None where friction does not limit it
         curves = rolling_curves(

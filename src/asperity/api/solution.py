@@ -15,6 +15,8 @@ from asperity.joint_file.solved_document import document_of, full_document
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.show.compliance_figure import compliance_figure
+from asperity.show.style import plain_title
 from asperity.views.blocks import Block
 from asperity.views.screens import joint_screen
 from asperity.views.solved_view import SolvedView
@@ -139,9 +141,6 @@ class JointSolution(Shown):
 
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
-        from asperity.show.compliance_figure import compliance_figure
-        from asperity.show.style import plain_title
-
         return displayed(compliance_figure(self._solved, title=plain_title(self._summary)))
 
     def blocks(self) -> list[Block]:

@@ -16,6 +16,8 @@ from asperity.joint_file.section_build import inertias_from_case
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.dynamics_document import dynamics_document, response_columns
 from asperity.results.loads_document import bearing_entries, loads_document, shown_rows
+from asperity.show.dynamics_figure import dynamics_figure
+from asperity.show.style import plain_title
 from asperity.standing.dynamics import Dynamics
 from asperity.standing.dynamics import dynamics as solved_dynamics
 from asperity.unit_table import Dimension
@@ -152,9 +154,6 @@ class JointDynamics(Shown):
 
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
-        from asperity.show.dynamics_figure import dynamics_figure
-        from asperity.show.style import plain_title
-
         words = f"{plain_title(self.source)} between motor and load"
         title = bounded(words, self.document["stiffness_bound"])
         return displayed(dynamics_figure(self.solved, title=title))

@@ -12,10 +12,17 @@ from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import displayed
 from asperity.errors import InputError, quoted
 from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.quantity_key import parse_distribution
 from asperity.joint_file.si_tables import key_at, si_values
-from asperity.results import chosen_results, known_result
+from asperity.results import RESULTS, chosen_results, known_result
 from asperity.study.datasets import asked_units, in_si, in_units, require
+from asperity.study.design.design_plot import pareto_figure
 from asperity.study.parameters import ListedAxis, SweepAxis, parse_axis
+from asperity.study.sweep.sweep import sweep as evaluated
+from asperity.study.sweep.sweep_plot import sweep_figure
+from asperity.study.tolerances.influence_plot import tornado_figure, uncertainty_figure
+from asperity.study.tolerances.sensitivity import sensitivity as differentiate
+from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
 if TYPE_CHECKING:
     import xarray
@@ -57,8 +64,6 @@ def sweep(
     MissingExtraError
         If xarray is not installed.
     """
-    from asperity.study.sweep.sweep import sweep as evaluated
-
     require_joint(joint)
     require("xarray")
     if not isinstance(over, Mapping) or not over:
@@ -112,8 +117,6 @@ def sensitivity(joint: DescribedJoint, results: Sequence[str] | None = None) -> 
     NoSolutionError
         If the joint has no result.
     """
-    from asperity.study.tolerances.sensitivity import sensitivity as differentiate
-
     require_joint(joint)
     return differentiate(joint.case, results)
 
@@ -153,9 +156,6 @@ def uncertainty(
     InputError
         If the file has no tolerances, a distribution is missing, or the joint itself has no result.
     """
-    from asperity.joint_file.quantity_key import parse_distribution
-    from asperity.study.tolerances.uncertainty import uncertainty as propagate
-
     require_joint(joint)
     otherwise = None if distribution is None else parse_distribution(distribution)
     return propagate(
@@ -189,13 +189,8 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
             if kind in shown:
                 return displayed(_influences(shown, kind, result))
         if "status" in shown:
-            from asperity.study.sweep.sweep_plot import sweep_figure
-
             return displayed(sweep_figure(in_si(shown), result=result))
         if "design" in shown.dims:
-            from asperity.results import RESULTS
-            from asperity.study.design.design_plot import pareto_figure
-
             goals = tuple(str(name) for name in shown.data_vars if name in RESULTS)
             return displayed(pareto_figure(shown, goals))
     if result is None and callable(getattr(shown, "plot", None)):
@@ -205,8 +200,6 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
 
 def _influences(shown: xarray.Dataset, kind: str, result: str | None) -> Figure:
     """A tornado plot of elasticities, or the histogram and Sobol indices of one result."""
-    from asperity.study.tolerances.influence_plot import tornado_figure, uncertainty_figure
-
     names = shown["result"].values.tolist()
     asked = known_result(result, among=names) if result else names[0]
     draw: Callable[..., Figure] = tornado_figure if kind == "elasticity" else uncertainty_figure

@@ -22,6 +22,8 @@ from asperity.results.windup_document import (
     windup_onsets,
 )
 from asperity.rolling.onset import RollingOnset
+from asperity.show.style import plain_title
+from asperity.show.windup_figure import windup_figure
 from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup
 from asperity.unit_table import Dimension
@@ -183,9 +185,6 @@ class JointWindup(Shown):
 
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
-        from asperity.show.style import plain_title
-        from asperity.show.windup_figure import windup_figure
-
         return displayed(
             windup_figure(
                 self.curve,

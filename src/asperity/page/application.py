@@ -30,6 +30,9 @@ from asperity.page.joint_request import JointRequest, joint_request
 from asperity.page.openapi import openapi
 from asperity.page.upload import LARGEST_SURFACE, Measurements
 from asperity.page.work_routes import work_routes
+from asperity.report.joint_report import ReportSource, joint_report
+from asperity.report.pdf import report_pdf, require_typst
+from asperity.views.html import report_html
 
 #: Address → file of the package and its type. Nothing else can be read, whatever a request says.
 ASSETS: dict[str, tuple[str, str]] = {
@@ -199,10 +202,6 @@ def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> byt
         return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
     if kind == "toml":
         return asked.file_text().encode()
-    from asperity.report.joint_report import ReportSource, joint_report
-    from asperity.report.pdf import report_pdf, require_typst
-    from asperity.views.html import report_html
-
     if kind == "pdf":
         require_typst()  # before the work
     measurements = tuple(json.dumps(surface, indent=2) + "\n" for surface in asked.surfaces)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import struct
 import warnings
 from pathlib import Path
@@ -44,9 +45,6 @@ def instrument_topography(
 
 def _opened(path: Path, name: str) -> tuple[Any, Any, NDArray[np.float64]]:
     """Reader, topography and heights in the unit of the file."""
-    import logging
-    import warnings
-
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         needs = f"{path.name} ({name}) is neither a table of numbers nor .npy, so it needs"

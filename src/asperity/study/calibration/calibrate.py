@@ -9,6 +9,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.optimize import least_squares
+from scipy.stats import qmc
+from scipy.stats import t as student
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.layout.existence import refuse_impossible
@@ -182,8 +185,6 @@ class _Fit(NamedTuple):
 
 def _fitted(curves: JoinedCurves, begin: np.ndarray, scales: tuple[float, ...]) -> _Fit:
     """Least squares from a start, the errors of each curve over its scale."""
-    from scipy.optimize import least_squares
-
     size = len(curves.unknowns)
     solution = least_squares(
         lambda x: curves.residual(x, scales),
@@ -201,8 +202,6 @@ def _fitted(curves: JoinedCurves, begin: np.ndarray, scales: tuple[float, ...]) 
 
 def _begins(curves: JoinedCurves, starts: int, seed: int) -> list[np.ndarray]:
     """Where searches begin: at the joint file, and at points where the joint exists at every torque."""
-    from scipy.stats import qmc
-
     if starts <= 1:
         return [curves.first]
     sampler = qmc.LatinHypercube(d=len(curves.unknowns), rng=np.random.default_rng(seed))
@@ -243,8 +242,6 @@ def _conclude(
     wider: JoinedCurves,
 ) -> Calibration:
     """The fit with its intervals; ``wider`` are the same curves with other numbers of the file as unknowns too."""
-    from scipy.stats import t as student
-
     curves.refuse_no_joint(scaled_values)
     fitted = curves.fitted(scaled_values)
     # an exact fit of exact data has no spread: then rounding of the data is what remains

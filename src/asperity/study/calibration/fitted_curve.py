@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.stats import f as f_law
 
 from asperity.errors import NoSolutionError
 from asperity.joint_file.si_tables import AnyCase
@@ -69,8 +70,6 @@ class FittedCurve:
     @property
     def misfit(self) -> float:
         """What the residuals hold beyond the scatter of the curve [rad] or [N·m/rad]; 0 where chance makes as much."""
-        from scipy.stats import f as f_law
-
         if self.scatter is None or self.standard_deviation <= ROUNDING * self.size:
             return 0.0
         ratio = (self.standard_deviation / max(self.scatter.deviation, ROUNDING * self.size)) ** 2

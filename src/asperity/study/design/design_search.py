@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 
 import numpy as np
+from scipy.optimize import Bounds, NonlinearConstraint, minimize, nnls
+from scipy.stats import qmc
 
 from asperity.joint_file.si_tables import si_values
 from asperity.results import RESULTS
@@ -44,8 +47,6 @@ def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
 
     Shape (n,).
     """
-    from scipy.stats import qmc
-
     problem = evaluator.problem
     values = si_values(problem.case)
     first = []
@@ -67,8 +68,6 @@ def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
 
     Shape (n,).
     """
-    from scipy.stats import qmc
-
     sampler = qmc.LatinHypercube(
         d=len(evaluator.variables), rng=np.random.default_rng(evaluator.problem.seed)
     )
@@ -84,8 +83,6 @@ def local_optimum(
 
     Scaled variables, shape (n,), of which the last bounds the objective from above; ``fixed`` ones keep their value.
     """
-    from scipy.optimize import Bounds, NonlinearConstraint, minimize
-
     size = start.size
     fixed = np.zeros(size, dtype=bool) if fixed is None else fixed
     lower, upper = np.where(fixed, start, 0.0), np.where(fixed, start, 1.0)
@@ -122,8 +119,6 @@ def local_optimum(
         end = smallest_violation(evaluator, end)
         if evaluator(end).violation > FEASIBLE:
             return end, False  # nothing to go on from: the limits conflict, at least around here
-    import warnings
-
     with warnings.catch_warnings():
         # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
         warnings.simplefilter("ignore")
@@ -172,8 +167,6 @@ def smallest_violation(evaluator: DesignEvaluator, start: np.ndarray) -> np.ndar
 
 def _smallest_violation_from(evaluator: DesignEvaluator, start: np.ndarray, *, stated: bool) -> np.ndarray:
     """SLSQP on the largest violation: of the stated limits among joints that exist, or of existence itself."""
-    from scipy.optimize import Bounds, minimize
-
     size, must = start.size, np.isfinite(evaluator.existence_slack)
     upward = np.append(np.zeros(size), 1.0)
 
@@ -209,8 +202,6 @@ def optimality(
 
     Shape (rows,) [-].
     """
-    from scipy.optimize import nnls
-
     design, size = evaluator(scaled), scaled.size
     if design.violation <= FEASIBLE:
         worst = design.objective[0]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.stats import qmc
 
 from asperity.errors import InputError
 from asperity.joint_file.si_tables import contact_in, numeric_keys
@@ -66,8 +67,6 @@ def scenarios(problem: DesignProblem) -> Scenarios:
             )
         steps = np.array([(0.0,) * len(toleranced), *itertools.product((-1.0, 1.0), repeat=len(toleranced))])
     elif worst.tolerances == "samples":
-        from scipy.stats import qmc
-
         sampler = qmc.LatinHypercube(d=len(toleranced), rng=np.random.default_rng(worst.seed))
         steps = np.vstack([steps, 2.0 * sampler.random(worst.samples) - 1.0])
     if worst.tolerances != "none":

@@ -16,6 +16,8 @@ from multiprocessing import active_children, resource_tracker
 from pathlib import Path
 from typing import Any
 
+import jax
+
 from asperity.errors import InputError
 from asperity.precision import use_double_precision
 from asperity.study.datasets import require
@@ -163,8 +165,6 @@ def _local_cluster(distributed: Any, count: int) -> Any:
 
 def worker_environment() -> dict[str, str]:
     """Environment of a local worker: double precision, one thread, this process's compilation cache."""
-    import jax
-
     environment = {
         "JAX_ENABLE_X64": "1",
         "OMP_NUM_THREADS": "1",
