@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity
@@ -29,6 +29,7 @@ from asperity.views.blocks import Block
 from asperity.views.calibration import calibration as calibration_shown
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
 
     from asperity.study.calibration.posterior import Posterior
@@ -128,20 +129,21 @@ class CalibratedJoint(Shown):
             quantities[path] = NamedQuantity(path, path, estimate.value, dimension_of(path), unit_of(path))
         return quantities
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The estimates as a pandas data frame: value, ends of the 95 % interval and unit, and whether determined.
 
         Where the search ended at a bound, ``bound`` has it and ``value`` is nan.
         """
         estimates, units = list(self._estimates.values()), [unit_of(path) for path in self._estimates]
-        columns: dict[str, Any] = {
+        columns: dict[str, list[object]] = {
             title: [from_si(getattr(e, title), unit) for e, unit in zip(estimates, units, strict=True)]
             for title in ("value", "lower", "upper")
         }
         ended = [bool(estimate.at_bound) for estimate in estimates]
         columns["bound"] = [v if end else math.nan for v, end in zip(columns["value"], ended, strict=True)]
         columns["value"] = [math.nan if end else v for v, end in zip(columns["value"], ended, strict=True)]
-        columns |= {"unit": units, "determined": [estimate.determined for estimate in estimates]}
+        columns["unit"] = list(units)
+        columns["determined"] = [estimate.determined for estimate in estimates]
         return frame(columns, index=list(self._estimates), index_name="unknown")
 
     def posterior(self, draws: int, *, seed: int = 1) -> Posterior:

@@ -124,7 +124,7 @@ class JointComparison(Shown):
     def document(self) -> dict[str, Any]:
         """All differences in SI units, for JSON; a number that is not known is None."""
 
-        def plain(side: NamedQuantity | str | None) -> Any:
+        def plain(side: NamedQuantity | str | None) -> float | str | None:
             if not isinstance(side, NamedQuantity):
                 return side
             return side.value if side.categories else float(side.si) if math.isfinite(side.si) else None

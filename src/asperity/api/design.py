@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity, columns_of
@@ -24,6 +24,7 @@ from asperity.views.design import design as designed
 from asperity.views.design import design_warnings
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
     from matplotlib.figure import Figure
 
@@ -91,7 +92,7 @@ class DesignedJoint(Shown):
         """Dotted paths of the free numbers."""
         return list(self.result.point)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The free numbers as a pandas data frame: value, unit, SI value, SI unit, bound on which it lies."""
         numbers = [self[path] for path in self.keys()]
         return frame(

@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.drive.layout.existence import refuse_impossible
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from asperity.show.title_block import Title
 
 #: What is told how much of a long work is done: the number done and the total.
-Progress = Callable[[int, int], Any]
+Progress = Callable[[int, int], None]
 
 
 def draw(
@@ -46,7 +46,7 @@ def draw(
     forces: bool = False,
     parts: bool = False,
     title: Mapping[str, str] | None = None,
-    notice: Callable[[str], Any] = warnings.warn,
+    notice: Callable[[str], object] = warnings.warn,
 ) -> list[Path]:
     """Draw a drive to scale: view, section along the axis, parts, tolerances and title block.
 
@@ -110,7 +110,7 @@ def check_drawing(path: str | Path, *inputs: str | Path) -> None:
 
 
 def _sheets(
-    joint: DescribedJoint, forces: bool, parts: bool, title: Title, notice: Callable[[str], Any]
+    joint: DescribedJoint, forces: bool, parts: bool, title: Title, notice: Callable[[str], object]
 ) -> dict[str, Sheet]:
     """End of the name of each file → its sheet: the assembly, then the parts."""
     case = joint.case
@@ -137,7 +137,7 @@ def _sheets(
 
 
 def _interference(
-    case: AnyCase, result: JointResult | None, source: str, notice: Callable[[str], Any]
+    case: AnyCase, result: JointResult | None, source: str, notice: Callable[[str], object]
 ) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a notice."""
     made = made_interference(case, result)

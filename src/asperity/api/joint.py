@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.api.named_quantity import NamedQuantity, columns_of, si_number
 from asperity.api.shown import Shown, frame
@@ -25,6 +25,8 @@ from asperity.views.blocks import Block, Paragraph, Table
 from asperity.writing import write_text
 
 if TYPE_CHECKING:
+    import pandas
+
     from asperity.api.solution import JointSolution
     from asperity.surface.measured_roughness import MeasuredRoughness
 
@@ -101,7 +103,7 @@ class DescribedJoint(Shown):
         """What the file leaves out and what is assumed instead, one sentence each."""
         return assumptions(self.case, joint_from_case(self.case))
 
-    def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
+    def with_values(self, changes: Mapping[str, str | float | NamedQuantity]) -> DescribedJoint:
         """The same joint with other numbers, choices or materials.
 
         Parameters
@@ -127,10 +129,13 @@ class DescribedJoint(Shown):
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
         kind, choices = self.case.type, choices_of_case(self.case)
-        words = {path: given for path, given in changes.items() if path in choices}
-        for path, word in words.items():
+        words: dict[str, str] = {}
+        for path, word in changes.items():
+            if path not in choices:
+                continue
             if not isinstance(word, str) or not word:
                 raise InputError(f"{path}: expected a word, got {quoted(word)}")
+            words[path] = word
         numbers = {
             path: si_number(given, key_at(path, kind).dimension, name=path)
             for path, given in changes.items()
@@ -214,7 +219,7 @@ class DescribedJoint(Shown):
         """
         return JointSolution(self.case, solved_case(self.case), source=self.source, summary=self.summary)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The numbers of the file as a pandas data frame: value, unit, SI value, SI unit, tolerance (in the unit)."""
         stated, numbers = numeric_keys(self.case), self.numbers
         return frame(

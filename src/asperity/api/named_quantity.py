@@ -5,12 +5,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from asperity.errors import InputError, quoted
 from asperity.joint.pin_bound import bounded
+from asperity.types import Number
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, from_si, parse_quantity
 
@@ -43,7 +43,7 @@ class NamedQuantity:
 
     name: str
     label: str
-    si: Any
+    si: Number
     dimension: Dimension
     unit: str
     rows: tuple[str, ...] = ()
@@ -62,13 +62,13 @@ class NamedQuantity:
         return self.dimension.si_unit
 
     @property
-    def value(self) -> Any:
+    def value(self) -> Number | str | None:
         """Value in :attr:`unit`: a float, an array over :attr:`rows`, or the name of a category."""
         if self.categories:
             return self.categories[int(self.si)] if np.isfinite(self.si) else None
         return _converted(self.si, self.unit)
 
-    def to(self, unit: str) -> Any:
+    def to(self, unit: str) -> Number:
         """Value in another unit.
 
         Parameters
@@ -130,19 +130,19 @@ def shown_number(si: float, unit: str, digits: int = 4) -> str:
     return "–" if np.isnan(si) else infinite if np.isinf(si) else format_quantity(si, unit, digits)
 
 
-def columns_of(numbers: Iterable[NamedQuantity]) -> dict[str, list[Any]]:
+def columns_of(numbers: Iterable[NamedQuantity]) -> dict[str, list[object]]:
     """Value, unit, SI value and SI unit of numbers, as columns of a data frame."""
     quantities = list(numbers)
     return {name: [getattr(q, name) for q in quantities] for name in ("value", "unit", "si", "si_unit")}
 
 
-def _converted(si: Any, unit: str) -> Any:
+def _converted(si: Number, unit: str) -> Number:
     if np.ndim(si) == 0:
         return from_si(float(si), unit)
     return np.array([from_si(float(number), unit) for number in si])
 
 
-def si_number(given: Any, dimension: Dimension, *, name: str) -> float:
+def si_number(given: object, dimension: Dimension, *, name: str) -> float:
     """SI value of a number that a user gives: a text with its unit, or a quantity; bare where it is dimensionless.
 
     An ``InputError`` with the name if it has no unit, or measures something else.

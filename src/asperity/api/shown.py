@@ -5,14 +5,18 @@ from __future__ import annotations
 import functools
 import io
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from asperity.extras import optional_module
 from asperity.views.blocks import Block
 from asperity.views.html import notebook_html
 from asperity.views.terminal import plain_text
 
 if TYPE_CHECKING:
+    import numpy as np
+    import pandas
     from matplotlib.figure import Figure
 
 
@@ -43,16 +47,19 @@ def _png(figure: Figure) -> bytes:
     return target.getvalue()
 
 
-def frame(columns: dict[str, Any], *, index: Any = None, index_name: str = "") -> Any:
+def frame(
+    columns: Mapping[str, Sequence[object] | np.ndarray],
+    *,
+    index: Sequence[object] | None = None,
+    index_name: str = "",
+) -> pandas.DataFrame:
     """A pandas data frame of columns by title, with named rows; a ``MissingExtraError`` if pandas is not installed."""
-    made = pandas().DataFrame(columns, index=index)
+    made = installed_pandas().DataFrame(columns, index=index)
     if index_name:
         made.index.name = index_name
     return made
 
 
-def pandas() -> Any:
+def installed_pandas() -> ModuleType:
     """The package pandas, or a ``MissingExtraError`` if it is not installed."""
-    from asperity.extras import optional_module
-
     return optional_module("pandas", extra="study", needs="data frames need")

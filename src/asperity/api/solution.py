@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.api.named_quantity import NamedQuantity, columns_of
-from asperity.api.shown import Shown, displayed, frame, pandas
+from asperity.api.shown import Shown, displayed, frame, installed_pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of, full_document
 from asperity.results import LEVELS, Result, known_result, name_at_level
@@ -22,6 +22,7 @@ from asperity.views.screens import joint_screen
 from asperity.views.solved_view import SolvedView
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
 
     from asperity.standing.windup import StiffnessLevel
@@ -109,7 +110,7 @@ class JointSolution(Shown):
         """The document that ``asperity joint --json`` prints, in SI units."""
         return full_document(self._case, self._solved)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""
         singles = self._singles()
         return frame(
@@ -122,11 +123,11 @@ class JointSolution(Shown):
             index_name="result",
         )
 
-    def to_series(self) -> Any:
+    def to_series(self) -> pandas.Series:
         """Every number as a pandas series of SI values; the index holds the name and the SI unit."""
         singles = self._singles()
         index = [(quantity.name, quantity.si_unit) for quantity in singles]
-        library = pandas()
+        library = installed_pandas()
         return library.Series(
             [quantity.si for quantity in singles],
             index=library.MultiIndex.from_tuples(index, names=["result", "unit"]),

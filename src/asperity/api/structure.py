@@ -27,6 +27,7 @@ from asperity.views.loads import case_title
 from asperity.views.loads import loads as loads_shown
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
 
 Document = dict[str, Any]
@@ -74,7 +75,7 @@ class JointLoads(Shown):
     def __init__(self, source: str, document: Document) -> None:
         self.source, self.document = source, document
 
-    def columns(self) -> dict[str, list[Any]]:
+    def columns(self) -> dict[str, list[object]]:
         """One row a load: part, position, load, unit of the row, and its value in each case."""
         titles = ["part", "position", "load", "unit"]
         titles += [case_title(case, ", ") for case in self.document["cases"]]
@@ -84,7 +85,7 @@ class JointLoads(Shown):
         )
         return dict(zip(titles, map(list, zip(*rows, strict=True)), strict=True))
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The same as a pandas data frame."""
         return frame(self.columns())
 
@@ -145,7 +146,7 @@ class JointDynamics(Shown):
         """The frequency response as columns, units in their names."""
         return response_columns(self.solved)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The same as a pandas data frame."""
         return frame(dict(self.response()))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Protocol, TypeGuard
 
 import numpy as np
 
@@ -29,9 +29,23 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+#: Values of an axis: the steps as a text, a list of quantities, or numbers with one unit for all of them.
+AxisValues = (
+    str | Sequence[str | float | NamedQuantity] | np.ndarray | tuple[Sequence[float] | np.ndarray, str]
+)
+
+
+class Drawn(Protocol):
+    """What has a figure of its own."""
+
+    def plot(self) -> Figure:
+        """Draw it."""
+        ...
+
+
 def sweep(
     joint: DescribedJoint,
-    over: Mapping[str, Any],
+    over: Mapping[str, AxisValues],
     *,
     results: Sequence[str] | str = "all",
     units: Sequence[str] = (),
@@ -77,7 +91,7 @@ def sweep(
     return in_units(evaluated(joint.case, axes, results=names), asked)
 
 
-def _axis(path: str, values: Any, kind: str | None = None) -> SweepAxis:
+def _axis(path: str, values: object, kind: str | None = None) -> SweepAxis:
     key = key_at(path, kind)
     if isinstance(values, str):
         return parse_axis(f"{path}={values}", kind=kind)
@@ -128,7 +142,7 @@ def uncertainty(
     distribution: str | None = None,
     samples: int = 100_000,
     seed: int = 0,
-    report: Callable[[int, int], Any] | None = None,
+    report: Callable[[int, int], None] | None = None,
 ) -> xarray.Dataset:
     """Intervals of the results from the tolerances of a joint file, and what each tolerance contributes.
 
@@ -163,7 +177,7 @@ def uncertainty(
     )
 
 
-def plot(shown: Any, *, result: str | None = None) -> Figure:
+def plot(shown: xarray.Dataset | Drawn, *, result: str | None = None) -> Figure:
     """Draw a sweep, sensitivities, uncertainties, a Pareto front, or anything else that this package returns.
 
     Parameters
@@ -184,7 +198,7 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
     InputError
         If there is nothing to draw, or no such result.
     """
-    if hasattr(shown, "data_vars"):
+    if _is_dataset(shown):
         for kind in ("elasticity", "total_order"):
             if kind in shown:
                 return displayed(_influences(shown, kind, result))
@@ -196,6 +210,11 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
     if result is None and callable(getattr(shown, "plot", None)):
         return shown.plot()
     raise InputError(f"cannot draw {quoted(type(shown).__name__)}; expected a sweep, a solution or a wind-up")
+
+
+def _is_dataset(shown: object) -> TypeGuard[xarray.Dataset]:
+    """Whether something is a dataset of xarray, which need not be imported for that."""
+    return hasattr(shown, "data_vars")
 
 
 def _influences(shown: xarray.Dataset, kind: str, result: str | None) -> Figure:

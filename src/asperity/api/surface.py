@@ -21,6 +21,7 @@ from asperity.units import format_quantity
 from asperity.views.blocks import Block, Paragraph, Table
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
 
 _LENGTHS = (
@@ -182,7 +183,7 @@ class FractalSurface(Shown):
         fractal = self.measurement.fractal
         return {} if fractal is None else fractal.interval(confidence=CONFIDENCE)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The numbers as a pandas data frame: value, unit, ends of the 95 % interval in SI units, SI value and unit."""
         numbers, ends = list(self._numbers.values()), self.intervals
         nothing = (float("nan"), float("nan"))

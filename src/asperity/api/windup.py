@@ -31,6 +31,7 @@ from asperity.views.blocks import Block, Heading
 from asperity.views.windup import windup as windup_shown
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
 
 #: Figures of a wind-up: name, what it is, what it measures, unit of display.
@@ -164,11 +165,11 @@ class JointWindup(Shown):
         """Names of the figures."""
         return list(self._figures)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The loading curve and both branches of the loop as a pandas data frame, units in the column names."""
         return frame({name: np.asarray(column) for name, column in windup_columns(self.curve).items()})
 
-    def rolling_frame(self) -> Any:
+    def rolling_frame(self) -> pandas.DataFrame:
         """Angle behind over the angle turned, and the drift of swings of that angle, as a pandas data frame.
 
         Raises

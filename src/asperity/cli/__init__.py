@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 from types import FrameType
-from typing import Any, NoReturn
+from typing import NoReturn
 
 #: Objects that are made before Python looks for garbage. Imports and tracing make many objects and hardly any garbage;
 #: with Python's own 700, looking through them takes a fifth of the time of a short command.
@@ -132,7 +132,7 @@ class Interruptions:
         if not arrives and not _extends(frame):
             raise Terminated if self.said == _LINES[signal.SIGTERM] else KeyboardInterrupt
 
-    def _dropped(self, unraisable: Any) -> None:
+    def _dropped(self, unraisable: sys.UnraisableHookArgs) -> None:
         if not isinstance(unraisable.exc_value, KeyboardInterrupt):
             self._unraisable(unraisable)
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import importlib
 import sys
 import warnings
-from typing import Any
 
 import click
 
@@ -107,7 +106,7 @@ def asperity() -> None:
     """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
 
 
-def _note(message: Any, *_: Any, **__: Any) -> None:
+def _note(message: Warning | str, *_: object, **__: object) -> None:
     """Say what a package warns of in a line, without the place in its source."""
     click.echo(f"asperity: note: {printable(str(message))}", err=True)
 

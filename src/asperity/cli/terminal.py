@@ -10,10 +10,10 @@ import codecs
 import json
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TextIO
 
 import click
 
@@ -63,7 +63,7 @@ class CheckedStream:
     ``required`` makes it an error that it cannot be written.
     """
 
-    def __init__(self, stream: Any, name: str, *, escape: bool, required: bool) -> None:
+    def __init__(self, stream: TextIO | None, name: str, *, escape: bool, required: bool) -> None:
         self.stream, self._name, self._escape, self._required = stream, name, escape, required
 
     def __getattr__(self, attribute: str) -> Any:
@@ -105,12 +105,13 @@ class CheckedStream:
         except BrokenPipeError:  # the reader has seen enough
             raise
         except OSError as error:
-            silence(self.stream)
+            if self.stream is not None:
+                silence(self.stream)
             if self._required:
                 raise InputError(f"{self._name} cannot be written: {error.strerror or error}") from None
 
 
-def silence(stream: Any) -> None:
+def silence(stream: TextIO) -> None:
     """Send what is still waiting in a stream nowhere, so that Python does not try to write it at its end."""
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -202,12 +203,12 @@ def about_torque(stated: str | None) -> Iterator[None]:
         raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
 
 
-def print_json(document: dict[str, Any]) -> None:
+def print_json(document: Mapping[str, object]) -> None:
     """Print one JSON document, which has no number that JSON does not know."""
     click.echo(json.dumps(in_unicode(document), indent=2, allow_nan=False))
 
 
-def in_unicode(document: Any) -> Any:
+def in_unicode(document: object) -> object:
     """A JSON document in which lone surrogates, which names of files that are not UTF-8 have, are escape sequences."""
     if isinstance(document, str):
         return document.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -214,47 +214,53 @@ def formats() -> None:
     )
 
 
-def synthesize(output: Path, kind: str, **options: Any) -> None:
+def synthesize(
+    output: Path,
+    kind: str,
+    fractal_dimension: float,
+    fractal_roughness: float,
+    points: int,
+    spacing: float,
+    seed: int,
+    periodic: bool,
+    gamma: float,
+) -> None:
     """What ``asperity surface synthesize`` does; its options stand in :mod:`asperity.cli.surface`."""
     if output.suffix not in ((".npy",) if kind == "map" else (".npy", ".csv")):
         raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
     check_file(output)
     refuse_existing(output)
-    D, G = validated_fractal(
-        fractal_dimension=options["fractal_dimension"], fractal_roughness=options["fractal_roughness"]
-    )
-    points, spacing, random = options["points"], options["spacing"], np.random.default_rng(options["seed"])
-    common = {"spacing": spacing, "fractal_dimension": D, "random": random}
-    if options["periodic"] and kind in ("weierstrass", "self_affine"):
+    D, G = validated_fractal(fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness)
+    if periodic and kind in ("weierstrass", "self_affine"):
         raise InputError(f"a surface of the kind '{kind}' is not periodic; leave --periodic out")
+    random = np.random.default_rng(seed)
     if kind == "map":
         if points > 16384:
             raise InputError(f"a map of {points} by {points} points is too large; 16384 a side is the limit")
         heights = synthesis.spectral_surface(
-            rows=points, columns=points, areal_fractal_roughness=G, periodic=options["periodic"], **common
+            rows=points,
+            columns=points,
+            spacing=spacing,
+            fractal_dimension=D,
+            areal_fractal_roughness=G,
+            periodic=periodic,
+            random=random,
         )
     elif kind == "spectral":
         heights = synthesis.spectral_profile(
-            points=points, fractal_roughness=G, periodic=options["periodic"], **common
-        )
-    elif kind == "self_affine":
-        heights = synthesis.self_affine_profile(points=points, fractal_roughness=G, **common)
-    else:
-        gamma = options["gamma"]
-        if not gamma > 1.0:
-            raise InputError(f"gamma is {gamma}; it must be above 1")
-        terms = int(np.floor(np.log(points / 2) / np.log(gamma))) + 1
-        profile = functools.partial(
-            weierstrass_mandelbrot_profile,
-            profile_length=points * spacing,
+            points=points,
+            spacing=spacing,
             fractal_dimension=D,
             fractal_roughness=G,
-            frequency_ratio=gamma,
-            phases=random.uniform(0.0, 2.0 * np.pi, terms),
-            lowest_index=0,
+            periodic=periodic,
+            random=random,
         )
-        parts = np.array_split(np.arange(points) * spacing, 1 + points // _AT_ONCE)
-        heights = np.concatenate([profile(position=part) for part in parts])
+    elif kind == "self_affine":
+        heights = synthesis.self_affine_profile(
+            points=points, spacing=spacing, fractal_dimension=D, fractal_roughness=G, random=random
+        )
+    else:
+        heights = _weierstrass(points, spacing, D, G, gamma, random)
     with replacing(output) as part:
         if output.suffix == ".npy":
             np.save(part, heights)
@@ -264,6 +270,26 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
     click.echo(
         f"wrote {output}: {heights.shape} heights in m, spacing {spacing:.6g} m, rms {heights.std():.6g} m"
     )
+
+
+def _weierstrass(
+    points: int, spacing: float, D: float, G: float, gamma: float, random: np.random.Generator
+) -> np.ndarray:
+    """Heights [m] of a Weierstrass-Mandelbrot profile with random phases, down to waves of two points."""
+    if not gamma > 1.0:
+        raise InputError(f"gamma is {gamma}; it must be above 1")
+    terms = int(np.floor(np.log(points / 2) / np.log(gamma))) + 1
+    profile = functools.partial(
+        weierstrass_mandelbrot_profile,
+        profile_length=points * spacing,
+        fractal_dimension=D,
+        fractal_roughness=G,
+        frequency_ratio=gamma,
+        phases=random.uniform(0.0, 2.0 * np.pi, terms),
+        lowest_index=0,
+    )
+    parts = np.array_split(np.arange(points) * spacing, 1 + points // _AT_ONCE)
+    return np.concatenate([profile(position=part) for part in parts])
 
 
 def combine(first: Path, second: Path, as_json: bool) -> None:

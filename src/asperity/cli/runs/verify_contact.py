@@ -6,7 +6,7 @@ import dataclasses
 import json
 import math
 import sys
-from typing import Any
+from typing import Any, TypeAlias
 
 import click
 import numpy as np
@@ -27,6 +27,9 @@ from asperity.units import Dimension
 from asperity.verify.comparison import Comparison, Sample, compare, comparison_figure
 from asperity.verify.measured_map import MapComparison, compare_map, map_document, map_figure
 from asperity.writing import check_image
+
+#: A number, or lists of numbers in lists.
+_Nested: TypeAlias = "float | list[_Nested]"
 
 _OF_KNOWN = (
     *("dimensions", "roughness", "side", "pixels_per_wave", "seeds", "loads", "lowest", "highest"),
@@ -210,10 +213,10 @@ _UNITS = {
 }
 
 
-def _document(sample: Sample, comparison: Comparison) -> dict[str, Any]:
+def _document(sample: Sample, comparison: Comparison) -> dict[str, object]:
     """Everything computed for one sample; null where a stiffness is infinite (complete contact)."""
 
-    def plain(value: Any) -> Any:
+    def plain(value: _Nested) -> object:
         if isinstance(value, list):
             return [plain(entry) for entry in value]
         return value if math.isfinite(value) else None
