@@ -81,7 +81,7 @@ def test_unknown_numbers_and_files_are_refused(joint, tmp_path):
 
 def test_a_joint_with_another_drive(zou_file):
     joint = asperity.load(zou_file.parent / "planetary.toml")
-    assert "planetary.toml: 3 planets, interference 30 um" in joint.summary
+    assert "planetary.toml: 3 planets, interference 30 µm" in joint.summary
     changed = joint.with_values({"drive.planets": 4, "surface.sp.fractal_dimension": 1.45})
     assert changed["surface.sp.fractal_dimension"].value == 1.45
     assert changed["surface.pr.fractal_dimension"].value == 1.5

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from asperity.api.joint import DescribedJoint, load, require_joint
-from asperity.api.named_quantity import NamedQuantity, shown_number
+from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown
 from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.pin_bound import bounded
 from asperity.joint_file.si_tables import stated_tables
 from asperity.views.blocks import Block, Paragraph, Table
+from asperity.views.numbers import quantity
 
 #: Results that a table shows if not all are asked for.
 MAIN_RESULTS = (
@@ -250,7 +251,7 @@ def _sides(line: Difference) -> tuple[str, str]:
 
 def _shown(side: NamedQuantity | str | None) -> str:
     if isinstance(side, NamedQuantity) and not side.categories:
-        return shown_number(side.si, side.unit, 6)
+        return quantity(side.si, side.unit, 6)
     return "–" if side is None else str(side)
 
 

@@ -20,8 +20,9 @@ from asperity.joint_file.si_tables import AnyCase, check_values, key_at, numeric
 from asperity.joint_file.solved_document import solved_case
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.parameters import long_name
-from asperity.units import format_quantity, from_si
+from asperity.units import from_si
 from asperity.views.blocks import Block, Paragraph, Table
+from asperity.views.numbers import quantity
 from asperity.writing import write_text
 
 if TYPE_CHECKING:
@@ -240,7 +241,7 @@ class DescribedJoint(Shown):
 
     def blocks(self) -> list[Block]:
         """The joint in one line, and the numbers of its file."""
-        rows = [(path, format_quantity(q.si, q.unit, 6)) for path, q in self.numbers.items()]
+        rows = [(path, quantity(q.si, q.unit, 6)) for path, q in self.numbers.items()]
         return [Paragraph(self.summary), Table("Numbers of the joint file", ("number", "value"), rows)]
 
 

@@ -12,7 +12,8 @@ from asperity.errors import InputError, quoted
 from asperity.joint.pin_bound import bounded
 from asperity.types import Number
 from asperity.unit_table import Dimension
-from asperity.units import format_quantity, from_si, parse_quantity
+from asperity.units import from_si, parse_quantity
+from asperity.views.numbers import quantity
 
 
 @dataclass(frozen=True, repr=False)
@@ -115,19 +116,11 @@ class NamedQuantity:
         if self.categories:
             return "–" if self.value is None else str(self.value)
         if not self.rows:
-            return shown_number(self.si, self.unit)
-        return ", ".join(
-            f"{row} {shown_number(x, self.unit)}" for row, x in zip(self.rows, self.si, strict=True)
-        )
+            return quantity(self.si, self.unit)
+        return ", ".join(f"{row} {quantity(x, self.unit)}" for row, x in zip(self.rows, self.si, strict=True))
 
     def __repr__(self) -> str:
         return f"{self.said}: {self}"
-
-
-def shown_number(si: float, unit: str, digits: int = 4) -> str:
-    """Text of a number in SI units, in the given unit: a dash where it is not known, nan."""
-    infinite = "infinite" if si > 0.0 else "-infinite"
-    return "–" if np.isnan(si) else infinite if np.isinf(si) else format_quantity(si, unit, digits)
 
 
 def columns_of(numbers: Iterable[NamedQuantity]) -> dict[str, list[object]]:

@@ -12,6 +12,7 @@ from asperity.api.named_quantity import NamedQuantity, columns_of
 from asperity.api.shown import Shown, displayed, frame, installed_pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of, full_document
+from asperity.joint_file.stated_parts import made_interference
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
@@ -151,4 +152,5 @@ class JointSolution(Shown):
     @property
     def view(self) -> SolvedView:
         """The solved joint with its document, from which every table is made."""
-        return SolvedView(self._solved, self.document)
+        made = made_interference(self._case, self._solved.result).size
+        return SolvedView(self._solved, self.document, made)

@@ -7,6 +7,7 @@ from asperity.cli.joint_input import refuse_lonely_measurement_of
 from asperity.cli.terminal import about, print_json, save_image, show_blocks
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.solved_document import solve_with_surface
+from asperity.joint_file.stated_parts import made_interference
 from asperity.show.compliance_figure import joint_figure
 from asperity.show.style import plain_title
 from asperity.views.joint import assumptions
@@ -40,4 +41,5 @@ def joint(
     if as_json:
         print_json(document)
         return
-    show_blocks(*joint_screen(SolvedView(solved, document), file), *assumptions(document, in_full=in_full))
+    view = SolvedView(solved, document, made_interference(case, solved.result).size)
+    show_blocks(*joint_screen(view, file), *assumptions(document, in_full=in_full))
