@@ -14,7 +14,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from asperity.contact.laws.registry import LAWS
-from asperity.joint_file.case_types import CASES, WedgeCase
+from asperity.joint_file.case_types import CASES, DefaultCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import Section, meaning
 
@@ -138,18 +138,18 @@ def _sections() -> Iterator[tuple[str, type[Section], str]]:
     """Header in the file, model and description of every section; that of the bodies has no keys of its own."""
     for name in (
         *FIRST,
-        *(name for name in WedgeCase.model_fields if name not in (*FIRST, "type", "bodies")),
+        *(name for name in DefaultCase.model_fields if name not in (*FIRST, "type", "bodies")),
     ):
-        field = WedgeCase.model_fields[name]
+        field = DefaultCase.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
             name, f"[{name}]"
         )
-        yield header, model, meaning(WedgeCase, name)
+        yield header, model, meaning(DefaultCase, name)
 
 
 #: The other types of drives.
-OTHER_CASES = {kind: case for kind, case in CASES.items() if case is not WedgeCase}
+OTHER_CASES = {kind: case for kind, case in CASES.items() if case is not DefaultCase}
 
 OTHERS = """\
 # Other drives
@@ -174,6 +174,8 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[{name}]] of type = "planar"', model, meaning(CASES["planar"], name)
     for kind, case in OTHER_CASES.items():
+        if "branch" not in case.model_fields:
+            continue
         field = case.model_fields["branch"]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[branch]] of type = "{kind}"', model, meaning(case, "branch")

@@ -24,10 +24,10 @@ from asperity.contact.hertz_line import (
     ring_secant_compliance,
     roller_secant_compliance,
 )
-from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.wedge import wedge_angles
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.stiffness.network import network_stiffness
+from asperity.drive.types.wedge import wedge_drive
 from asperity.materials import contact_modulus
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.style import ACCENT, MARK, MUTED, STYLE

@@ -72,7 +72,7 @@ def cache_folder() -> Path | None:
         if foreign:
             raise NotOwnError(f"{cache / foreign[0]} may be by another user; empty the folder")
     except NotOwnError as error:
-        _note(f"compiled programs are not kept: {error}")
+        note_once(f"compiled programs are not kept: {error}")
         return None
     except (OSError, RuntimeError, ValueError):  # no place, no home, or no valid name
         return None
@@ -123,6 +123,6 @@ def _write_whole_files() -> None:
 
 
 @functools.cache
-def _note(text: str) -> None:
+def note_once(text: str) -> None:
     """Say something once; a program that uses this package may direct it elsewhere."""
     logging.getLogger(__name__).warning("asperity: note: %s", printable(text))

@@ -5,15 +5,13 @@ import functools
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import (
-    planetary_drive,
-    stepped_planet_drive,
-    two_row_multiroller,
-    wedge_drive,
-)
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.states import rolling_state, state_at_rest
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.planetary import planetary_drive
+from asperity.drive.types.stepped_planet import stepped_planet_drive
+from asperity.drive.types.wedge import wedge_drive
 from asperity.engine.control import at_once, traced_once
 
 

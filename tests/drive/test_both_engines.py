@@ -10,12 +10,6 @@ from asperity.contact.crowned_line import CrownedLines
 from asperity.drive import bearings
 from asperity.drive.layout import drive as layout
 from asperity.drive.layout import existence, expansion, wedge
-from asperity.drive.layout.drives import (
-    planetary_drive,
-    stepped_planet_drive,
-    two_row_multiroller,
-    wedge_drive,
-)
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.normal_springs import NormalSprings, compression, crowned_springs, total_approach
@@ -29,6 +23,10 @@ from asperity.drive.stiffness import loading_cam
 from asperity.drive.stiffness.network import network_stiffness, with_shafts
 from asperity.drive.stiffness.torsional_stiffness import contact_torsional_stiffness
 from asperity.drive.structure import bearing_life, inertia, pin_beam
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.planetary import planetary_drive
+from asperity.drive.types.stepped_planet import stepped_planet_drive
+from asperity.drive.types.wedge import wedge_drive
 from asperity.engine.arrays import xp
 
 LENGTH, FORCE = (5e-3, 20e-3), (100.0, 2000.0)

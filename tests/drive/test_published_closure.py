@@ -7,12 +7,12 @@ import pytest
 
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
-from asperity.drive.layout.drives import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states, loaded_state, state_at_rest
+from asperity.drive.types.wedge import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
 from asperity.engine.control import at_once
 from asperity.zou2025.force_balance import force_balance
 from asperity.zou2025.mechanism import Mechanism, rest_state

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states
+from asperity.drive.types.wedge import wedge_drive
 from asperity.engine.control import at_once
 
 FRICTION, RING = 0.12, 40e-3

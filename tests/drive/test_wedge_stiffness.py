@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from asperity.contact.interface import series_stiffness
 from asperity.drive.layout.drive import Closure
-from asperity.drive.layout.drives import EQUAL_COEFFICIENTS, wedge_drive
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.stiffness.network import network_stiffness
+from asperity.drive.types.wedge import EQUAL_COEFFICIENTS, wedge_drive
 from asperity.zou2025.kinematics import CONTACT_NAMES
 from asperity.zou2025.series_stiffness import series_torsional_stiffness
 

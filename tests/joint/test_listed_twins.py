@@ -12,7 +12,7 @@ from asperity.joint.solve import solution_of
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.own_branches import joint_with_branches
-from asperity.joint_file.part_names import TRACKS, WEDGE_TYPE, material_key, type_of
+from asperity.joint_file.part_names import drive_type_of
 from asperity.joint_file.si_tables import si_values
 from asperity.results.document import joint_document
 from asperity.results.solved import solved_with_capacities
@@ -30,12 +30,12 @@ BEARINGS = {
 
 def listed(values):
     """Tables of the same drive, roller by roller; of one that turns clockwise, its mirror image."""
-    kind, drive = type_of(values), joint_from_values(values).drive
+    kind, drive = drive_type_of(values), joint_from_values(values).drive
     sizes, pins = values["drive"], list(drive.pinned)
     rollers = {}
     for number, (body, (x, y)) in enumerate(zip(drive.bodies, drive.centres, strict=True)):
         roller = {"name": body.name, "place": body.place}
-        track = material_key(kind, body.name)
+        track = kind.material_key(body.name)
         roller |= {
             key: sizes[f"{track}_{key}"] for key in ("bore_diameter", "length") if f"{track}_{key}" in sizes
         }
@@ -64,7 +64,7 @@ def listed(values):
             "sector": str(contact.sector),
             "tracks": tracks,
         }
-        for side, track in zip(("first", "second"), TRACKS[kind][contact.name], strict=True):
+        for side, track in zip(("first", "second"), contact.tracks, strict=True):
             if f"{track}_crown_radius" in sizes:
                 entry[f"{side}_crown_radius"] = sizes[f"{track}_crown_radius"]
         if contact.name in same:
@@ -84,7 +84,7 @@ def listed(values):
         },
         "roller": rollers,
         "contact": contacts,
-        "bodies": {body.name: values["bodies"][material_key(kind, body.name)] for body in drive.bodies},
+        "bodies": {body.name: values["bodies"][kind.material_key(body.name)] for body in drive.bodies},
     }
 
 
@@ -134,9 +134,11 @@ def tables(planar_case):
         drive["ring_support"] = "free"
         if crowned:
             drive |= {
-                f"{track}_crown_radius": 5.0 for pair in TRACKS[type_of(values)].values() for track in pair
+                f"{track}_crown_radius": 5.0
+                for contact in drive_type_of(values).contacts
+                for track in drive_type_of(values).tracks(contact)
             }
-        if type_of(values) == WEDGE_TYPE:
+        if drive_type_of(values).name == "wedge":
             pins = list(BEARINGS)
             drive |= {"left_push_angle": 0.1, "right_push_angle": -0.05}
             values["model"] |= {"traction_split": "springs"}
@@ -260,7 +262,11 @@ def test_a_drive_and_its_listed_twin_are_one_joint(planar_case, name, features):
     if "hollow" in features:
         values["drive"] |= BORES[name]
     if "crowns" in features:
-        tracks = dict.fromkeys(track for pair in TRACKS[type_of(values)].values() for track in pair)
+        tracks = dict.fromkeys(
+            track
+            for contact in drive_type_of(values).contacts
+            for track in drive_type_of(values).tracks(contact)
+        )
         values["drive"] |= {f"{track}_crown_radius": 1.0 + place for place, track in enumerate(tracks)}
     one, other = joint_of(values), joint_of(listed(values))
     assert words_of_joint(one) == words_of_joint(other)

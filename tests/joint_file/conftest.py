@@ -22,7 +22,7 @@ def example_case(example_text):
 
 @pytest.fixture(scope="session")
 def planar_case():
-    """WedgeCase of an example with another drive, with replaced pieces of its text."""
+    """DefaultCase of an example with another drive, with replaced pieces of its text."""
 
     def case(name, *replaced):
         text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")

@@ -2,13 +2,14 @@
 
 import pytest
 
+from asperity.drive.types import TYPES
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.case_types import CASES
 
 
 @pytest.mark.parametrize("kind", CASES)
 def test_every_type_has_its_contacts_and_bodies(kind, planar_case):
-    case = planar_case(kind)
+    case = planar_case(TYPES[kind].example or kind)
     assert type(case) is CASES[kind]
     joint = joint_from_case(case)
     assert joint.type == kind

@@ -284,7 +284,7 @@ def test_an_rz_and_the_shares_of_a_file(joint_text):
 
 def test_paths_of_one_contact_and_of_other_keys():
     assert entered_key_at("surface.pr.mean_roughness_depth", "planetary").unit == "um"
-    assert entered_key_at("duty.12.share", "zou2025").unit == "1"
+    assert entered_key_at("duty.12.share", "wedge").unit == "1"
     assert entered_key_at("surface.roughness_average", "planetary") is None
     assert entered_key_at("mean_roughness_depth", "planetary") is None
 

@@ -21,7 +21,7 @@ def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):
     with pytest.raises(InputError) as refused:
         planar_case("planetary", ("[model]", f"{section}\n\n[model]"))
     assert (
-        str(refused.value) == f'mine.toml: {path}: only for the paper\'s drive (type = "zou2025", or no type)'
+        str(refused.value) == f'mine.toml: {path}: only for the paper\'s drive (type = "wedge", or no type)'
     )
 
 
@@ -52,7 +52,7 @@ def test_a_forgotten_type_is_one_message(planar_case):
 def test_what_only_other_drives_have_names_them(planar_case, example_text):
     with pytest.raises(InputError, match=r'roller: only for drives of type "planar"$'):
         parse_case(example_text + '\n[[roller]]\nname = "x"\n', source="mine.toml")
-    drives = '"zou2025", "planetary", "stepped_planet"'
+    drives = '"wedge", "planetary", "stepped_planet"'
     with pytest.raises(InputError, match=rf"bore_diameter: only for drives of type {drives}$"):
         planar_case("multiroller", ("[load]", 'planet_bore_diameter = "2 mm"\n\n[load]'))
 

@@ -12,6 +12,7 @@ from asperity.joint.description import body_masses
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.schema import joint_schema
+from asperity.precision import note_once
 from asperity.reading import parse_toml
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -105,7 +106,7 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
             "planetary",
             "[model]",
             '[sun_bearing]\ntype = "ball"\n\n[model]',
-            'sun_bearing: only for the paper\'s drive (type = "zou2025", or no type); for this drive write '
+            'sun_bearing: only for the paper\'s drive (type = "wedge", or no type); for this drive write '
             "'input_bearing'",
         ),
         (
@@ -198,8 +199,19 @@ def test_the_length_of_a_listed_ring_makes_its_mass():
 
 def test_a_file_without_a_type_has_the_papers_drive():
     plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
-    assert parse_case(plain, source="mine.toml").type == "zou2025"
-    assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"
+    assert parse_case(plain, source="mine.toml").type == "wedge"
+    assert parse_case('type = "wedge"\n' + plain, source="mine.toml").type == "wedge"
+
+
+def test_the_name_that_a_type_had_is_read_and_said_once(caplog):
+    note_once.cache_clear()
+    text = 'type = "zou2025"\n' + (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
+    cases = [parse_case(text, source="mine.toml") for _ in range(2)]
+    assert [case.type for case in cases] == ["wedge", "wedge"]
+    (said,) = caplog.messages
+    assert said == 'asperity: note: type = "zou2025" is called "wedge" now'
+    with pytest.raises(InputError, match="'zou' is not a type of drive; known are wedge, planetary"):
+        parse_case(text.replace('"zou2025"', '"zou"', 1), source="mine.toml")
 
 
 def test_springs_of_the_structure_reach_the_joint():

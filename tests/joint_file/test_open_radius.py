@@ -118,8 +118,9 @@ def test_a_file_that_is_written_back_keeps_the_ratio_until_a_size_changes(text_o
 
 @pytest.mark.parametrize("kind", ["zou2025", "planetary", "multiroller", "stepped_planet"])
 def test_the_schema_asks_for_all_radii_or_for_the_ratio_and_all_but_one(text_of, kind):
-    radii = radii_of(model_of_type(kind))
-    valid = jsonschema.Draft202012Validator(joint_schema(kind)).is_valid
+    name = parse_case(text_of(kind), source="a.toml").type
+    radii = radii_of(model_of_type(name))
+    valid = jsonschema.Draft202012Validator(joint_schema(name)).is_valid
     assert valid(parse_toml(text_of(kind), source=""))
     assert not valid(parse_toml(text_of(kind, **{radii[0]: ""}), source=""))
     assert valid(parse_toml(text_of(kind, **{radii[0]: "ratio = 9"}), source=""))

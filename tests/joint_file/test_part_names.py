@@ -3,11 +3,11 @@
 import pytest
 import tomlkit
 
+from asperity.drive.types.listed import track_of
 from asperity.joint_file.part_names import (
     body_key,
     contacts_of,
     paths_of_track,
-    track_of,
     type_of,
     with_tracks,
 )
@@ -45,8 +45,8 @@ def test_one_track_is_one_number(planar_case):
 @pytest.mark.parametrize(
     ("kind", "body", "key"),
     [
-        ("zou2025", "left_loading_roller", "loading_roller"),
-        ("zou2025", "right_loading_roller_2", "loading_roller"),  # of the second branch
+        ("wedge", "left_loading_roller", "loading_roller"),
+        ("wedge", "right_loading_roller_2", "loading_roller"),  # of the second branch
         ("planetary", "planet_3", "planet"),
         ("planetary", "ring", "ring"),
         ("planar", "wheel_2", "wheel_2"),  # so called in the file

@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import InputError
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.reader import case_from_tables, parse_case, read_case
 from asperity.reading import LARGEST_FILE
 
@@ -116,7 +116,7 @@ def test_the_example_is_read(example_case):
         (
             'contact_length = "5 mm"',
             'contact_length = { sp = "5 mm", pwr = "5 mm", pwl = "5 mm", wro = "5 mm", wol = "5 mm" }',
-            "joint.toml: drive.contact_length.wol: a zou2025 drive has no such contact; did you mean 'wlo'?",
+            "joint.toml: drive.contact_length.wol: a wedge drive has no such contact; did you mean 'wlo'?",
         ),
         ("[surface]", "[surface.sp]", "surface: pwr, pwl, wro, wlo are missing"),
         (
@@ -265,7 +265,7 @@ def test_line_endings_and_a_byte_order_mark_do_not_matter(tmp_path, example_text
 
 def read_or_refused(read) -> bool:
     try:
-        return isinstance(read(), WedgeCase)
+        return isinstance(read(), DefaultCase)
     except InputError as error:
         return str(error).startswith("fuzz: ")
 

@@ -3,7 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.section import Section, leaves, meaning
 
 
@@ -47,7 +47,7 @@ def test_a_section_is_frozen_and_has_no_room_for_unknown_keys():
 
 
 def test_the_sections_of_a_joint_file_are_frozen(example_case):
-    assert isinstance(example_case, WedgeCase)
+    assert isinstance(example_case, DefaultCase)
     with pytest.raises(ValidationError, match="frozen"):
         example_case.drive.planets = example_case.drive.sun_radius
 

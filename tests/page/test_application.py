@@ -14,7 +14,7 @@ pytest.importorskip("httpx2")
 
 from starlette.testclient import TestClient
 
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.schema import joint_schema
 from asperity.page import application as application_module
 from asperity.page import joint_request
@@ -393,7 +393,7 @@ def test_the_description_covers_every_number_of_the_file(client, joint_text):
     sections = {group["name"] for group in described["groups"]} | {
         each["group"] for each in described["choices"]
     }
-    assert sections == set(WedgeCase.model_fields) - {"type"}  # the kind of drive is no section
+    assert sections == set(DefaultCase.model_fields) - {"type"}  # the kind of drive is no section
 
 
 def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):

@@ -3,7 +3,7 @@
 import pytest
 
 from asperity.joint_file import limits
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.reader import read_case
 from asperity.library import read_finishes
 from asperity.page.description import HEADINGS, description, form_of
@@ -22,7 +22,7 @@ def keys(described):
 
 def test_groups_are_in_the_order_of_the_page(described):
     assert [group["name"] for group in described["groups"]] == [
-        name for name in HEADINGS if name in WedgeCase.model_fields
+        name for name in HEADINGS if name in DefaultCase.model_fields
     ]
     assert all(group["parameters"] for group in described["groups"])
 

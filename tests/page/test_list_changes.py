@@ -5,7 +5,7 @@ import tomllib
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.case_types import CASES, WedgeCase
+from asperity.joint_file.case_types import CASES, DefaultCase
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import (
     ONE_PER_BRANCH,
@@ -56,7 +56,7 @@ def planetary_text(zou_file):
 
 
 def test_the_lists_are_those_that_a_file_may_leave_out():
-    assert lists_of(WedgeCase) == {"duty": None, "branch": "drive.planets"}
+    assert lists_of(DefaultCase) == {"duty": None, "branch": "drive.planets"}
     assert lists_of(CASES["planar"]) == {"duty": None, "branch": "drive.sectors"}
     assert lists_of(CASES["multiroller"])["branch"] == "drive.rollers_per_row"
 
@@ -167,7 +167,7 @@ def test_only_changes_beyond_the_branches_wait():
     }
     places = {"branch": [1, 2]}
     assert set(without_lists(changes, places)) == {"branch.2.a", "load.preload", "duty.9.share"}
-    assert places_of_lists({"drive": {"planets": 2}}, changes, WedgeCase) == {"branch": [0, 0]}
+    assert places_of_lists({"drive": {"planets": 2}}, changes, DefaultCase) == {"branch": [0, 0]}
 
 
 def test_places_of_the_file_and_new_ones():

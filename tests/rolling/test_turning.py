@@ -8,7 +8,8 @@ import pytest
 from machines import laws_and_states
 
 from asperity.drive.layout.drive import driving_sense
-from asperity.drive.layout.drives import planetary_drive, two_row_multiroller
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.planetary import planetary_drive
 from asperity.engine.arrays import as_numbers
 from asperity.joint.assembled import Pressed
 from asperity.joint.evaluation import evaluate

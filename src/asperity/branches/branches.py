@@ -13,6 +13,7 @@ import numpy as np
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.drive.types import TYPES
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
@@ -143,7 +144,8 @@ def sector_count(joint: Joint) -> int:
 
 
 def _noun(joint: Joint) -> str:
-    return "planet" if joint.type in ("planetary", "stepped_planet") else "sector"
+    sectors = TYPES[joint.type].sectors
+    return "sector" if sectors is None else sectors.each
 
 
 def _floating(joint: Joint, sizes: SectorDeviations) -> tuple[str, ...]:

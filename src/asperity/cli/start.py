@@ -3,14 +3,50 @@
 from __future__ import annotations
 
 import click
+from click.shell_completion import CompletionItem
 
 from asperity.cli.run_by_name import run_by_name
+from asperity.precision import note_once
 
-#: Packaged examples, the paper's first.
-EXAMPLES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
+#: The type of a file that states none, which the options need not look for.
+_DEFAULT = "wedge"
 
-#: Types of drives; the hollow planetary is an example of one.
-TYPES = tuple(name for name in EXAMPLES if name != "planetary_hollow")
+
+class TypeName(click.ParamType):
+    """The name of a type of drive or, with ``variants``, of a joint file to start with; a former name is told.
+
+    The types are looked for when somebody asks for one.
+    """
+
+    name = "choice"
+
+    def __init__(self, *, variants: bool = False) -> None:
+        self._variants = variants
+
+    def _choice(self) -> click.Choice[str]:
+        """The names as they are now."""
+        from asperity.drive.types import TYPES
+        from asperity.joint_file.template import names_of_templates
+
+        return click.Choice(names_of_templates() if self._variants else tuple(TYPES))
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The name that a type has now."""
+        from asperity.drive.types import FORMER_NAMES
+
+        if value in FORMER_NAMES:
+            note_once(f'the type "{value}" is called "{FORMER_NAMES[value]}" now')
+        return self._choice().convert(FORMER_NAMES.get(value, value), param, ctx)
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context) -> str | None:
+        """All names, for the help."""
+        return self._choice().get_metavar(param, ctx)
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """The names that begin so."""
+        return self._choice().shell_complete(ctx, param, incomplete)
 
 
 @click.command()
@@ -18,8 +54,8 @@ TYPES = tuple(name for name in EXAMPLES if name != "planetary_hollow")
 @click.option(
     "--type",
     "kind",
-    type=click.Choice(EXAMPLES),
-    default=EXAMPLES[0],
+    type=TypeName(variants=True),
+    default=_DEFAULT,
     show_default=True,
     help="Type of the drive.",
 )
@@ -31,7 +67,7 @@ def init() -> None:
 
 @click.command()
 @click.option(
-    "--type", "kind", type=click.Choice(TYPES), default=TYPES[0], show_default=True, help="Type of the drive."
+    "--type", "kind", type=TypeName(), default=_DEFAULT, show_default=True, help="Type of the drive."
 )
 @run_by_name
 def schema() -> None:

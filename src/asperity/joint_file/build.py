@@ -12,6 +12,7 @@ import numpy as np
 from asperity.branches.branches import SectorDeviations
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, speed_ratio
+from asperity.drive.layout.drive_type import DriveType
 from asperity.drive.layout.expansion import interference_of_sizes
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.pin_beam import PinBeam
@@ -23,16 +24,13 @@ from asperity.joint.temperature import contact_fit
 from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
-    CONTACTS,
     HOUSING,
-    TRACKS,
     contacts_of,
-    material_key,
+    drive_type_of,
     paths_of_track,
     size_keys,
     sized_tracks,
     sizes_of_tracks,
-    type_of,
 )
 from asperity.joint_file.parts import layout_of
 from asperity.joint_file.section_build import (
@@ -60,6 +58,7 @@ def joint_from_values(values: Values) -> Joint:
 
     Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
     """
+    kind = drive_type_of(values)
     drive, shapes, pattern = layout_of(_nominal_contacts(values))
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
@@ -72,12 +71,10 @@ def joint_from_values(values: Values) -> Joint:
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     temperature = values.get("temperature")
     joint = Joint(
-        type=type_of(values),
+        type=kind.name,
         drive=drive,
         shapes=shapes,
-        materials=tuple(
-            materials[values["bodies"][material_key(type_of(values), body.name)]] for body in drive.bodies
-        ),
+        materials=tuple(materials[values["bodies"][kind.material_key(body.name)]] for body in drive.bodies),
         surfaces=tuple(
             surface_of(entry, asperity_base=model["asperity_base"], contact_law=law) for entry in surfaces
         ),
@@ -102,14 +99,14 @@ def joint_from_values(values: Values) -> Joint:
         planet_support_stiffness=springs.get("planet_support_stiffness"),
         ring_bending_stiffness=springs.get("ring_bending_stiffness"),
         rolling=rolling_conditions(values),
-        bearings=_bearings(values.get("bearings")),
+        bearings=_bearings(kind, values.get("bearings")),
         pin=_pin(values.get("bearings", {})),
         pin_clearance=values.get("bearings", {}).get("pin_radial_clearance", 0.0),
         pin_clearance_stated="pin_radial_clearance" in values.get("bearings", {}),
         play=play_of(values),
         pin_bearing=rated_bearing(values.get("pin_bearing")),
-        input_bearing=rated_bearing(values.get("input_bearing", values.get("sun_bearing"))),
-        output_bearing=rated_bearing(values.get("output_bearing", values.get("carrier_bearing"))),
+        input_bearing=rated_bearing(_called(kind, values).get("input_bearing")),
+        output_bearing=rated_bearing(_called(kind, values).get("output_bearing")),
         crown_curvatures=_crown_curvatures(values),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
     )
@@ -150,29 +147,23 @@ def _in_housing(joint: Joint, entry: Values, material: Material, temperature: Va
 
 def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
     """Curvature of the crowns of both tracks of each contact; None where no track is crowned."""
-    if type_of(values) in TRACKS:
-        stated, tracks = values["drive"], tuple(TRACKS[type_of(values)].values())
-        radii = [[stated.get(f"{track}_crown_radius") for track in pair] for pair in tracks]
-    else:
-        contacts = values["contact"].values()
-        radii = [[entry.get(f"{side}_crown_radius") for side in ("first", "second")] for entry in contacts]
+    radii = drive_type_of(values).crown_radii(values)
     if all(radius is None for pair in radii for radius in pair):
         return None
     return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
 
 
-#: Keys of [bearings] in a file with the wedge drive that others call by the place of the bearing.
-_BEARINGS = {
-    "sun_torque": "input_torque",
-    "loading_roller_torque": "roller_torque",
-    "carrier_torque": "output_torque",
-}
+def _called(kind: DriveType, entry: Values) -> Values:
+    """Tables whose keys of bearings have the names of all types."""
+    called = {} if kind.bearings is None else kind.bearings.called
+    return {called.get(key, key): value for key, value in entry.items()}
 
 
-def _bearings(entry: Values | None) -> Bearings | None:
+def _bearings(kind: DriveType, entry: Values | None) -> Bearings | None:
+    """Friction of the bearings; None for none."""
     if entry is None:
         return None
-    stated: dict[str, Any] = {_BEARINGS.get(key, key): value for key, value in entry.items()}
+    stated: dict[str, Any] = _called(kind, entry)
     stated.setdefault("pin_friction_diameter", stated.get("pin_diameter", 0.0))
     return Bearings(**{name: stated.get(name, 0.0) for name in Bearings.number_fields})
 
@@ -243,14 +234,8 @@ def _deviations(values: Values, count: int) -> dict[str, list[Any]]:
     """Names of the tracks → their deviations, one for each branch; 0 without sections ``[[branch]]``."""
     stated: Values = values.get("branch", {})
     entries = [stated.get(str(number), {}) for number in range(1, count + 1)]
-    if type_of(values) in CONTACTS:
-        return {
-            name: [entry.get(f"{name}_deviation", 0.0) for entry in entries] for name in sized_tracks(values)
-        }
-    return {
-        name: [entry.get("deviation", {}).get(name, 0.0) for entry in entries]
-        for name in sized_tracks(values)
-    }
+    kind, sizes = drive_type_of(values), [drive_type_of(values).deviations(entry) for entry in entries]
+    return {name: [size.get(name, 0.0) for size in sizes] for name in kind.sized_tracks(values)}
 
 
 def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
@@ -293,12 +278,7 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
                 for track in parts
             ]
             if not parts:
-                sides = [
-                    (contact, side)
-                    for contact, pair in TRACKS[type_of(values)].items()
-                    for side, track in zip(("first", "second"), pair, strict=True)
-                    if track == name
-                ]
+                sides = drive_type_of(values).sides_of_track(name)
                 known.append(TolerancedTrack(path, False, np.asarray(_per_size(drive, sides))))
         elif section == "contact" and key.endswith("_radius") and path not in seen:
             same = paths_of_track(values, path)
@@ -342,7 +322,7 @@ def _grown(values: Values, drive: Drive) -> Array:
         )
         return interference_of_sizes(drive=drive, first=first, second=second)
     nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
-    if "ring_radius" in values["drive"]:
+    if not drive_type_of(values).layout(values["drive"]).radii:  # the file states the radii of all tracks
         return interference_of_sizes(
             drive=drive,
             first=drive.first_radius - nominal.first_radius,

@@ -6,9 +6,9 @@ import functools
 from collections.abc import Iterable
 from typing import Any, Literal, get_args, get_origin
 
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import HOUSING, WEDGE_TYPE, material_keys
+from asperity.joint_file.part_names import HOUSING
 from asperity.joint_file.section import is_list, models_of
 from asperity.library import read_finishes
 
@@ -44,8 +44,8 @@ def _words_of_sections(model: type[Case]) -> dict[str, tuple[str, ...]]:
     }
 
 
-#: The choices of a joint file with the paper's drive.
-CHOICES = choices_of(WedgeCase, material_keys(WEDGE_TYPE))
+#: The choices of a joint file without a type.
+CHOICES = choices_of(DefaultCase, DefaultCase.drive_type.material_keys)
 
 
 def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:

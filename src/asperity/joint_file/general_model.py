@@ -9,6 +9,8 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from asperity.drive.layout.drive import CARRIER
+from asperity.drive.layout.drive_type import DriveType
+from asperity.drive.types.listed import LISTED
 from asperity.errors import nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
@@ -113,8 +115,7 @@ class GeneralCase(AxisCase):
     """Contacts of one sector; the internal ones have the interference."""
     branch: tuple[SectorEntry, ...] | None = None
     """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
-    branches_are: ClassVar[tuple[str, str]] = ("sectors", "sectors")
-    ring_key: ClassVar[str] = "ring_support"
+    drive_type: ClassVar[DriveType] = LISTED
 
     def ring_supports(self) -> tuple[str | None, ...]:
         """What the file says that holds the outer rim of each ring; None where it says nothing."""

@@ -6,22 +6,38 @@ a wrong prefix, and are wider than any machine needs. All bounds are part of the
 
 from __future__ import annotations
 
+from asperity.drive.layout import sizes
 from asperity.joint_file.quantity_key import Key
 from asperity.unit_table import Dimension
 
-PLANETS = Key(Dimension.DIMENSIONLESS, 2, 100, integer=True, example="3")
-ROLLER_RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")
-WALL_THICKNESS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="10 mm")
+
+def key_of(size: sizes.Range) -> Key:
+    """The key of a number whose range a type of drive states."""
+    return Key(
+        Dimension[size.dimension],
+        size.lower,
+        size.upper,
+        size.unit,
+        open_lower=size.open_lower,
+        integer=size.integer,
+        example=size.example,
+        reason=size.reason,
+    )
+
+
+PLANETS = key_of(sizes.SECTORS)
+ROLLER_RADIUS = key_of(sizes.RADIUS)
+WALL_THICKNESS = key_of(sizes.WALL_THICKNESS)
 CONTACT_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="5 mm")
-BODY_LENGTH = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="5 mm")
+BODY_LENGTH = key_of(sizes.BODY_LENGTH)
 RATIO = Key(Dimension.DIMENSIONLESS, 0.0, 1e6, open_lower=True, exact=True, example="11")
-PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
+PUSH_ANGLE = key_of(sizes.PUSH_ANGLE)
 POLAR_ANGLE = Key(Dimension.ANGLE, -360.0, 360.0, "deg", example="90 deg")
 
 PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
 INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="13 um")
 CAM_FORCE = Key(Dimension.FORCE_PER_TORQUE, 0.0, 1e9, "N/Nm", example="150 N/Nm")
-DEVIATION = Key(Dimension.LENGTH, -1e4, 1e4, "um", example="2 um")
+DEVIATION = key_of(sizes.DEVIATION)
 OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
 OUTPUT_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm", open_lower=True, example="100 rpm")
@@ -30,8 +46,8 @@ FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)
 PLAY_ANGLE = Key(Dimension.ANGLE, 0.0, 21600.0, "arcmin", example="1.5 arcmin")
 TAKE_UP_TORQUE = Key(Dimension.TORQUE, 0.0, 1e9, "N*m", example="0.2 N*m")
 
-BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m", example="0.02 N*m")
-PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, example="0.002")
+BEARING_TORQUE = key_of(sizes.BEARING_TORQUE)
+PIN_FRICTION_COEFFICIENT = key_of(sizes.PIN_FRICTION_COEFFICIENT)
 PIN_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="8 mm")
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="4 mm")
 PIN_CLEARANCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", example="5 um")
@@ -40,13 +56,13 @@ LOAD_RATING = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True, example="3200
 BEARING_COUNT = Key(Dimension.DIMENSIONLESS, 1, 100, integer=True, example="2")
 OUTSIDE_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", example="200 N")
 
-BORE_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", open_lower=True, example="4 mm")
-CROWN_RADIUS = Key(Dimension.LENGTH, 1.0, 1e9, "mm", example="1000 mm")
+BORE_DIAMETER = key_of(sizes.BORE_DIAMETER)
+CROWN_RADIUS = key_of(sizes.CROWN_RADIUS)
 HOUSING_DIAMETER = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="140 mm")
 HOUSING_INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="40 um")
 HOUSING = Key(Dimension.STIFFNESS_PER_AREA, 0.0, 1e9, "MPa/mm", example="500 MPa/mm")
 
-SPRING = Key(Dimension.STIFFNESS, 1e-6, 1e15, "N/mm", example="2e5 N/mm")
+SPRING = key_of(sizes.SPRING)
 SUPPORT = Key(Dimension.STIFFNESS, 0.0, 1e15, "N/mm", example="5e4 N/mm")
 TORSION_SPRING = Key(Dimension.TORSIONAL_STIFFNESS, 1e-6, 1e15, "N*m/rad", example="5e4 N*m/rad")
 

@@ -8,10 +8,10 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
+from asperity.drive.types import DEFAULT_TYPE, TYPES
 from asperity.errors import MOST_ERRORS, closest, nearest, quoted
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.material_entries import joined, unknown_materials
-from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, keys_by_path, models_of, variants
 
 #: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
@@ -111,8 +111,8 @@ def _unknown_key(
     having, known = _drives_with(parts), _known_names(table, model)
     other = _CALLED_HERE.get(name)
     here = f"; for this drive write '{other}'" if other in known else ""
-    if having == ["zou2025"]:
-        return f'{path}: only for the paper\'s drive (type = "zou2025", or no type){here}', None
+    if having == [DEFAULT_TYPE]:
+        return f'{path}: only for the paper\'s drive (type = "{DEFAULT_TYPE}", or no type){here}', None
     if having and parts[0] == "branch":
         return f"{path}: this drive has no such roller; here you can write {', '.join(known)}", None
     if having:
@@ -128,15 +128,14 @@ def _unknown_key(
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
 
 
-#: What the paper's drive has by one name and other drives by another.
-_PAIRS = (
-    ("sun_bearing", "input_bearing"),
-    ("carrier_bearing", "output_bearing"),
-    ("sun_torque", "input_torque"),
-    ("carrier_torque", "output_torque"),
-    ("loading_roller_torque", "roller_torque"),
-)
-_CALLED_HERE = {one: other for pair in _PAIRS for one, other in (pair, pair[::-1])}
+#: What a type of drive has by a name of its own and other drives by another.
+_CALLED_HERE = {
+    one: other
+    for kind in TYPES.values()
+    if kind.bearings is not None
+    for pair in kind.bearings.called.items()
+    for one, other in (pair, pair[::-1])
+}
 
 
 def _drives_with(parts: Parts) -> list[str]:
@@ -157,7 +156,7 @@ def _content(parts: Parts, model: type[BaseModel]) -> str:
         return "a section for each material"
     if parts == ("bodies",):
         (kind,) = get_args(model.model_fields["type"].annotation)
-        return ", ".join(material_keys(kind)) if kind in CONTACTS else "the material of each roller"
+        return ", ".join(TYPES[kind].material_keys) or "the material of each roller"
     return ", ".join(
         _known_names(parts, model) or _names_below(models_of(model.model_fields[parts[0]].annotation))
     )
@@ -188,7 +187,7 @@ def explained(
     ]
     absent = {parts for parts, detail in mistakes if detail["type"] == "missing"}
     foreign = [_drives_with(parts) for parts, detail in mistakes if detail["type"] == "extra_forbidden"]
-    likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()
+    likely = set.intersection(*map(set, foreign)) - {DEFAULT_TYPE} if foreign else set()
     if absent and likely and "type" not in tables:
         kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
         names = joined([".".join(parts) for parts, detail in mistakes if detail["type"] == "extra_forbidden"])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from asperity.contact.laws.registry import LAWS
+from asperity.drive.layout.drive_type import DriveType
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import (
@@ -27,7 +28,7 @@ from asperity.joint_file.material_entries import (
     one_kind_of_roughness,
     unknown_materials,
 )
-from asperity.joint_file.part_names import CONTACTS, HOUSING, material_keys
+from asperity.joint_file.part_names import HOUSING
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section, WholeFile
 from asperity.joint_file.sections import (
@@ -190,12 +191,8 @@ class Case(WholeFile):
     surface: Annotated[PartSurfaces, AfterValidator(one_kind_of_roughness)]
     """Roughness: one table for all contacts, or tables surface.NAME for each."""
 
-    #: Places of its rollers off the axis: on pins of the carrier, or free.
-    places: ClassVar[tuple[str, ...]] = ("free", "pin")
-    #: Their number in [drive], and their name.
-    branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
-    #: The key that says what holds a ring.
-    ring_key: ClassVar[str] = "drive.ring_support"
+    #: The type of drive that it describes.
+    drive_type: ClassVar[DriveType]
 
     _open_radius: OpenRadius | None = PrivateAttr(default=None)
     _measured: Any = PrivateAttr(default=None)
@@ -252,17 +249,9 @@ class Case(WholeFile):
                 for roller in getattr(self, "roller", ())
                 if roller.ring_support in BENT or roller.bore_diameter is not None
             ]
-            exact += ["drive.ring_support"] if getattr(drive, "ring_support", None) in BENT else []
+            exact += [f"drive.{name}" for name in self._support_keys() if getattr(drive, name) in BENT]
             exact += [
-                f"drive.{name}"
-                for name in (
-                    "planet_bore_diameter",
-                    "loading_roller_bore_diameter",
-                    "first_row_bore_diameter",
-                    "second_row_bore_diameter",
-                    "driven_ring_wall_thickness",
-                )
-                if getattr(drive, name, None) is not None
+                f"drive.{name}" for name in self.drive_type.exact_keys if getattr(drive, name) is not None
             ]
             exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
             if exact:
@@ -281,13 +270,13 @@ class Case(WholeFile):
             self._described_housing(stated)
         elif ("elastic_housing" in supports) != stated:
             raise InputError(
-                f'{self.ring_key} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give both '
-                "or neither, or describe the housing in [housing]"
+                f'{self._ring_key()} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give '
+                "both or neither, or describe the housing in [housing]"
             )
         bent = [support for support in supports if support in BENT]
         if bent and compliance.ring_bending_stiffness is not None:
             raise InputError(
-                f'{self.ring_key} = "{bent[0]}" computes the bending of the ring: leave out '
+                f'{self._ring_key()} = "{bent[0]}" computes the bending of the ring: leave out '
                 "compliance.ring_bending_stiffness, which would count it twice"
             )
         return self
@@ -306,9 +295,19 @@ class Case(WholeFile):
                 "temperature.housing_expansion"
             )
 
+    def _support_keys(self) -> tuple[str, ...]:
+        """Keys of [drive] that say what holds a ring."""
+        kind = self.drive_type
+        names = [f"{ring.size_key}_support" for ring in kind.rings]
+        return tuple(name for name in names if kind.has(name))
+
+    def _ring_key(self) -> str:
+        """The key that says what holds a ring."""
+        return next((f"drive.{name}" for name in self._support_keys()), "ring_support")
+
     def ring_supports(self) -> tuple[str | None, ...]:
         """What the file says that holds the outer rim of each ring; None where it says nothing."""
-        return (self.drive.ring_support,)
+        return tuple(getattr(self.drive, name) for name in self._support_keys())
 
     @model_validator(mode="after")
     def _complete_duty(self) -> Self:
@@ -328,20 +327,22 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _one_section_for_each_branch(self) -> Self:
-        branches = self.branch
-        if branches is not None:
+        branches, sectors = self.branch, self.drive_type.sectors
+        if branches is not None and sectors is not None:
             refuse_branches(
                 len(branches),
-                count=round(getattr(self.drive, self.branches_are[0]).value),
-                what=self.branches_are[1],
+                count=round(getattr(self.drive, sectors.key).value),
+                what=sectors.words,
                 by_interference=self.load.interference is not None,
             )
         return self
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""
-        drive: Any = self.drive
-        return 'drive.ring_support = "free"' if drive.ring_support == "free" else ""
+        supports = self.ring_supports()
+        if not supports:
+            return "a drive without a ring"
+        return f'{self._ring_key()} = "free"' if all(support == "free" for support in supports) else ""
 
     @model_validator(mode="after")
     def _known_parts(self) -> Self:
@@ -352,7 +353,7 @@ class Case(WholeFile):
 
     def part_names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Names of the contacts, and of the bodies in [bodies]."""
-        return tuple(CONTACTS[self.type]), material_keys(self.type)
+        return self.drive_type.contact_names({}), self.drive_type.material_keys
 
     def misnamed_parts(self) -> list[str]:
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
@@ -397,7 +398,7 @@ class Case(WholeFile):
 
     def roller_places(self) -> tuple[str, ...]:
         """Places of the rollers off the axis."""
-        return self.places
+        return self.drive_type.places
 
     def _without_effect(self) -> Iterator[str]:
         """Messages about what a file says of pins, or of rollers without one, that its drive does not have."""

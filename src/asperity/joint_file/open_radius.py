@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from typing import Any, get_args
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
+from asperity.drive.layout.drive import speed_ratio
+from asperity.drive.layout.drive_type import DriveType
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, vectorised
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import OpenRadius
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.section import keys_by_path, models_of
 from asperity.units import format_quantity
 
@@ -23,12 +26,7 @@ _ANY = "1 mm"
 
 def radii_of(model: type[Case]) -> tuple[str, ...]:
     """Radii of the section [drive] that make the drive of a type; none where its contacts are listed."""
-    (drive,) = models_of(model.model_fields["drive"].annotation)
-    if "ratio" not in drive.model_fields:
-        return ()
-    return tuple(
-        name for name, field in drive.model_fields.items() if field.is_required() and name.endswith("_radius")
-    )
+    return model.drive_type.radii
 
 
 def fill_in_radius(
@@ -51,8 +49,8 @@ def fill_in_radius(
             )
         sizes = _sizes(without, model)
         if sizes is not None:
-            (kind,) = get_args(model.model_fields["type"].annotation)
-            text = f"{1e3 * _radius_of_ratio(kind, sizes, missing[0], radii, ratio):.12g} mm"
+            radius = _radius_of_ratio(model.drive_type, sizes, missing[0], ratio)
+            text = f"{1e3 * radius:.12g} mm"
             found = OpenRadius(missing[0], limits.ROLLER_RADIUS.read(text).value, ratio)
             filled = {missing[0]: text}
     except InputError as error:
@@ -77,49 +75,23 @@ def _sizes(drive: Mapping[str, Any], model: type[Case]) -> dict[str, Any] | None
     return sizes | {"output": drive.get("output")}
 
 
-def _ratio_of_planetary(drive: Mapping[str, Any]) -> Any:
-    rings = (drive["sun_radius"] + 2.0 * drive["planet_radius"]) / drive["sun_radius"]
-    return rings if drive.get("output") == "ring" else 1.0 + rings
-
-
-def _ratio_of_multiroller(drive: Mapping[str, Any]) -> Any:
-    orbit, half = drive["sun_radius"] + drive["first_row_radius"], math.pi / drive["rollers_per_row"]
-    rows = drive["first_row_small_radius"] + drive["second_row_radius"]
-    far = orbit * np.cos(half) + np.sqrt(rows**2 - (orbit * np.sin(half)) ** 2)
-    stages = drive["first_row_radius"] * drive["second_row_radius"]
-    small = drive["sun_radius"] * drive["first_row_small_radius"] * drive["second_row_small_radius"]
-    return stages * (far + drive["second_row_small_radius"]) / small
-
-
-def _ratio_of_stepped(drive: Mapping[str, Any]) -> Any:
-    sun, one, two = (drive[f"{name}_radius"] for name in ("sun", "planet", "planet_second"))
-    held, driven = sun + 2.0 * one, sun + one + two
-    return abs((1.0 + held / sun) / (1.0 - held * two / (driven * one)))
-
-
-#: Speed ratio without sign of each type from the sizes of its drive, which may be arrays.
-_RATIOS: dict[str, Callable[[Mapping[str, Any]], Any]] = {
-    WEDGE_TYPE: lambda drive: (drive["ring_radius"] - drive["sun_radius"]) / drive["sun_radius"],  # (A2)
-    "planetary": _ratio_of_planetary,
-    "multiroller": _ratio_of_multiroller,
-    "stepped_planet": _ratio_of_stepped,
-}
-
-
-def _radius_of_ratio(
-    kind: str, drive: Mapping[str, Any], name: str, radii: tuple[str, ...], ratio: float
-) -> float:
+def _radius_of_ratio(kind: DriveType, drive: Mapping[str, Any], name: str, ratio: float) -> float:
     """The radius [m] at which a drive that can exist has this ratio; raise where there is none, or several."""
     from scipy.optimize import brentq
 
-    stated = [drive[radius] for radius in radii if radius in drive]
+    stated = [drive[radius] for radius in kind.radii if radius in drive]
     places = np.geomspace(1e-3 * min(stated), 1e3 * max(stated), _PLACES)
 
     def excess(radius: Any) -> Any:
-        with np.errstate(all="ignore"):  # no drive: nan
-            return np.log(_RATIOS[kind](dict(drive) | {name: radius}) / ratio)
+        """Logarithm of the ratio without slip, from the speeds of the drive, over that which is wanted."""
+        made: Any = speed_ratio(kind.drive(dict(drive) | {name: radius}))
+        return xp.log(abs(made) / ratio)
 
-    along = excess(places) + np.zeros(_PLACES)
+    def at(radius: float) -> float:
+        return float(at_once(excess, np.asarray(radius)))
+
+    with np.errstate(all="ignore"):  # no drive: nan
+        along = vectorised(excess)(places)
     known = along[np.isfinite(along)]
     if known.size and np.ptp(known) < 1e-9:
         raise InputError(
@@ -127,7 +99,7 @@ def _radius_of_ratio(
         )
     with np.errstate(invalid="ignore"):
         crossed = np.flatnonzero(along[:-1] * along[1:] <= 0.0)
-    roots = [float(brentq(excess, places[k], places[k + 1], xtol=1e-18)) for k in crossed]
+    roots = [float(brentq(at, places[k], places[k + 1], xtol=1e-18)) for k in crossed]
     if not roots:
         ends = (
             f"between {ratio * np.exp(known.min()):.4g} and {ratio * np.exp(known.max()):.4g}"
@@ -148,13 +120,12 @@ def _radius_of_ratio(
     return possible[0]
 
 
-def _impossible(kind: str, drive: Mapping[str, Any]) -> str:
+def _impossible(kind: DriveType, drive: Mapping[str, Any]) -> str:
     """Why a drive cannot exist; empty where it can."""
     from asperity.drive.layout.existence import refuse_impossible
-    from asperity.joint_file.parts import layout_of
 
     try:
-        refuse_impossible(layout_of({"type": kind, "drive": drive, "model": {"closure": "elastic"}})[0])
+        refuse_impossible(kind.drive(drive))
     except InputError as error:
         return str(error)
     return ""

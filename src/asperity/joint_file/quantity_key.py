@@ -36,7 +36,8 @@ class Key:
 
     ``lower`` and ``upper`` are in ``unit``, which displays have too; ``open_lower`` and ``open_upper`` leave out the
     bound itself. ``integer``: only whole numbers are allowed. ``exact``: it has no tolerance, because somebody decides
-    it. ``example``: what messages quote; if empty, the example of the dimension.
+    it. ``example``: what messages quote; if empty, the example of the dimension. ``reason``: why nothing below the
+    range is possible.
     """
 
     dimension: Dimension
@@ -48,6 +49,7 @@ class Key:
     integer: bool = False
     exact: bool = False
     example: str = ""
+    reason: str = ""
 
     @property
     def typical(self) -> str:
@@ -81,8 +83,9 @@ class Key:
     def check(self, value_si: float) -> None:
         """Raise an ``InputError`` with the value [SI] and the allowed range unless the value is inside it."""
         if not self.admits(value_si):
+            why = f": {self.reason}" if self.reason and from_si(value_si, self.unit) < self.lower else ""
             raise InputError(
-                f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}"
+                f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}{why}"
             )
 
     def read(self, written: object) -> Quantity:

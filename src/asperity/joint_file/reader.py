@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from asperity.drive.types import DEFAULT_TYPE, FORMER_NAMES
 from asperity.errors import InputError, NoSolutionError, listed, nearest, quoted
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.finish_in_surface import fill_in_finishes
@@ -14,9 +15,8 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.messages import explained
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import fill_in_radius, refuse_output_speed
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.library import fill_in_materials
-from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.precision import note_once, use_compilation_cache, use_double_precision
 from asperity.reading import parse_toml, read_text
 
 
@@ -62,7 +62,8 @@ def _measured(case: Case, surface: SurfaceEntry, source: str, folder: Path) -> C
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
     """Check the nested tables of a joint file; a measured surface stays the name of its file."""
-    model = _model_of(tables.get("type", WEDGE_TYPE), source)
+    tables = _with_the_name_of_now(tables)
+    model = _model_of(tables.get("type", DEFAULT_TYPE), source)
     with_materials, refused = fill_in_materials(tables, folder=folder or Path())
     with_surfaces, refused_surfaces = fill_in_finishes(with_materials)
     filled, refused_ratio, radius = fill_in_radius(with_surfaces, model)
@@ -80,6 +81,16 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
             return case.with_open_radius(radius)
         sentences, more = list(refused.values()), 0
     raise InputError(f"{source}: {listed(sentences, more=more)}")
+
+
+def _with_the_name_of_now(tables: dict[str, Any]) -> dict[str, Any]:
+    """The tables of a joint file, a former name of its type replaced by the one of now, which is said once."""
+    former = tables.get("type")
+    if not isinstance(former, str) or former not in FORMER_NAMES:
+        return tables
+    now = FORMER_NAMES[former]
+    note_once(f'type = "{former}" is called "{now}" now')
+    return {**tables, "type": now}
 
 
 def _model_of(kind: object, source: str) -> type[Case]:

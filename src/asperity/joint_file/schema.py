@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.material_entries import ALONE, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.section import models_of
 from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]
 
 
-def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
+def joint_schema(kind: str = DEFAULT_TYPE) -> Schema:
     """JSON Schema (draft 2020-12) of a joint file of one type after TOML is read, for editors such as those with Taplo.
 
     It cannot express the bounds of quantities with units, nor that a body's material is one that the file or the

@@ -7,8 +7,8 @@ import functools
 import inspect
 import itertools
 import types
-from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self, TypeVar, Union, get_args, get_origin
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, PrivateAttr
 from pydantic_core import CoreSchema
@@ -23,6 +23,9 @@ class Section(BaseModel):
     """A table of the file: frozen, and without room for unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    #: Meanings of keys that no docstring states: of a section that is made of data.
+    stated_meanings: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -60,6 +63,8 @@ def _meanings(model: type[Any]) -> dict[str, str]:
     """The docstrings of the keys that a section itself declares."""
     if not issubclass(model, Section) or model.__pydantic_generic_metadata__["args"]:
         return {}
+    if "stated_meanings" in vars(model) and model is not Section:
+        return dict(model.stated_meanings)
     try:
         (definition,) = ast.parse(inspect.getsource(model)).body
     except OSError:  # it is written nowhere, as the keys that contact laws state

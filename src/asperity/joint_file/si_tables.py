@@ -17,11 +17,12 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
+from asperity.drive.types import DEFAULT_TYPE
 from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
+from asperity.joint_file.part_names import contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Distribution, Key, Quantity
 from asperity.joint_file.section import Section, keys_by_path, leaves
 
@@ -139,7 +140,7 @@ def key_at(path: str, kind: str | None = None) -> Key:
     for generic in (path, *one):
         if generic in known and parts[0] != "*":
             return known[generic]
-    whose = "a joint file" if kind in (None, WEDGE_TYPE) else f"the joint file of a drive of type {kind}"
+    whose = "a joint file" if kind in (None, DEFAULT_TYPE) else f"the joint file of a drive of type {kind}"
     named = parts[0] in _NAMED and len(parts) > 2
     if parts[0] == "surface" and parts[-1] in (DEPTH, PARTNER_DEPTH):
         average = ".".join([*parts[:-1], parts[-1].replace(DEPTH, "roughness_average")])

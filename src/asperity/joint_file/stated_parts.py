@@ -6,13 +6,13 @@ import dataclasses
 import math
 from typing import Any, NamedTuple
 
+from asperity.drive.types import TYPES
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values, thermal_change_of
 from asperity.joint_file.law_keys import LAW_OF_KEY
-from asperity.joint_file.part_names import TRACKS, material_key
 from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.units import format_quantity
@@ -72,11 +72,13 @@ def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
 
 def _part(case: Any, joint: Joint, number: int) -> StatedPart:
     body = joint.drive.bodies[number].name
-    key = material_key(case.type, body)
+    kind = TYPES[case.type]
+    key = kind.material_key(body)
+    name = next((part.size_key for part in kind.parts if part.name == body), body)
     roller: Any = next((entry for entry in getattr(case, "roller", ()) if entry.name == body), None)
 
     def tolerance(what: str) -> float:
-        of_type = getattr(case.drive, f"{'ring' if key == 'held_ring' else key}_{what}", None)
+        of_type = getattr(case.drive, f"{name}_{what}", None)
         stated = of_type if roller is None else getattr(roller, what, None)
         return 0.0 if stated is None else float(stated.tolerance)
 
@@ -97,8 +99,9 @@ def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int
     for number in contacts:
         contact = joint.drive.contacts[number]
         side = 0 if contact.first == body else 1
-        if case.type in TRACKS:
-            table, key = case.drive, TRACKS[case.type][contact.name][side]
+        kind = TYPES[case.type]
+        if not kind.is_listed:
+            table, key = case.drive, contact.tracks[side]
         else:
             table, key = case.contact[number], ("first", "second")[side]
         stated, crown = getattr(table, f"{key}_radius", None), getattr(table, f"{key}_crown_radius", None)

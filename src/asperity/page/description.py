@@ -9,10 +9,10 @@ from typing import Any
 from pydantic import BaseModel
 
 import asperity
-from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.case_types import DefaultCase
 from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, HOUSING, WEDGE_TYPE, contacts_of
+from asperity.joint_file.part_names import HOUSING, contacts_of
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
@@ -48,8 +48,8 @@ def description() -> dict[str, Any]:
     """What can be set on the page."""
     return {
         "asperity_version": asperity.__version__,
-        **_form(WedgeCase, tuple(CHOICES.items())),
-        "contacts": list(CONTACTS[WEDGE_TYPE]),
+        **_form(DefaultCase, tuple(CHOICES.items())),
+        "contacts": list(contacts_of({})),
         "units": {quantity.label: _units(quantity) for quantity in Dimension if quantity.si_unit != "1"},
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}

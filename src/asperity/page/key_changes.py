@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from asperity.errors import InputError
-from asperity.joint_file.case_types import CASES, WedgeCase
+from asperity.joint_file.case_types import CASES, DefaultCase
 from asperity.joint_file.choices import FINISH, choices_of
 from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words
 from asperity.joint_file.model import Case
@@ -21,7 +21,7 @@ _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
 def model_of(tables: Mapping[str, Any]) -> type[Case]:
     """Model of a joint file; that of the paper's drive where its type is none."""
     kind = type_of(tables)
-    return CASES.get(kind, WedgeCase)
+    return CASES.get(kind, DefaultCase)
 
 
 def apply_changes(tables: Any, changes: Mapping[str, Any]) -> None:

@@ -10,7 +10,6 @@ from typing import Any
 import tomlkit
 
 from asperity.errors import InputError, quoted
-from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
 from asperity.joint_file.section import is_list, keys_by_path, meaning
@@ -29,17 +28,18 @@ _REMARK = re.compile(r"^\s*(#.*)?$")
 _Section = tuple[list[str], list[str]]
 
 
-def lists_of(model: type[WedgeCase] | type[Case]) -> dict[str, str | None]:
+def lists_of(model: type[Case]) -> dict[str, str | None]:
     """The lists of a joint file that it may leave out."""
+    sectors = model.drive_type.sectors
     return {
-        name: f"drive.{model.branches_are[0]}" if name == "branch" else None
+        name: f"drive.{sectors.key}" if name == "branch" and sectors is not None else None
         for name, field in model.model_fields.items()
         if is_list(field.annotation) and not field.is_required()
     }
 
 
 def places_of_lists(
-    tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[WedgeCase] | type[Case]
+    tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[Case]
 ) -> dict[str, list[int]]:
     """The wanted arrangement of each list that changes."""
     places = {}

@@ -11,9 +11,9 @@ import numpy as np
 
 from asperity.drive.layout.drive import CARRIER, speed_ratio
 from asperity.drive.layout.wedge import wedge_angles, wedges
+from asperity.drive.types import TYPES
 from asperity.joint.description import Joint, contact_values, tracks_of
 from asperity.joint.evaluation import JointForces, JointResult
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.stated_parts import StatedParts
 from asperity.show.dimension_lines import dimension
 from asperity.show.drive_sizes import (
@@ -174,7 +174,7 @@ def _around(item: Circle | Line) -> Box:
 
 
 def _kind(joint: Joint) -> str:
-    words = "planetary" if joint.type == WEDGE_TYPE else joint.type.replace("_", " ")
+    words = TYPES[joint.type].words
     return f"{words[0].upper()}{words[1:]} traction drive"
 
 

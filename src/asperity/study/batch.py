@@ -28,8 +28,7 @@ from asperity.engine import trees
 from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of, with_nominal_sizes
-from asperity.joint_file.case_types import CASES
-from asperity.joint_file.part_names import type_of, with_tracks
+from asperity.joint_file.part_names import drive_type_of, type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import (
     MEASURED,
@@ -238,7 +237,8 @@ def _evaluate_measured(
 
 def count_of_branches(values: Values) -> str | None:
     """Path of the number of planets, or of rollers in a row, where the sections ``[[branch]]`` state it, too."""
-    return f"drive.{CASES[type_of(values)].branches_are[0]}" if "branch" in values else None
+    sectors = drive_type_of(values).sectors
+    return f"drive.{sectors.key}" if "branch" in values and sectors is not None else None
 
 
 def _refuse_count(values: Values, paths: tuple[str, ...]) -> None:

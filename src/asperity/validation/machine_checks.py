@@ -11,10 +11,10 @@ import numpy as np
 
 from asperity.body.press_fit import PressFit, press_fit
 from asperity.contact import creep_layer, film_thickness, flash_temperature, rolling_losses
-from asperity.drive.layout.drives import planetary_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_preload
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
+from asperity.drive.types.planetary import planetary_drive
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.materials import Material

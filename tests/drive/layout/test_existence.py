@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import CARRIER, Body, Contact, speeds
-from asperity.drive.layout.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
 from asperity.drive.layout.existence import (
     LEAST_OUTPUT_SHARE,
     has_room,
@@ -19,6 +18,9 @@ from asperity.drive.layout.existence import (
     refuse_impossible,
 )
 from asperity.drive.layout.unfolding import unfolded
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.planetary import planetary_drive
+from asperity.drive.types.stepped_planet import stepped_planet_drive
 from asperity.errors import InputError
 
 # the difference of two ways to square this distance is not 0 in NumPy

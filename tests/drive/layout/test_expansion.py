@@ -7,10 +7,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.states import rest_forces
+from asperity.drive.types.wedge import wedge_drive
 
 
 def added(drive, carrier, **strains):

@@ -6,14 +6,10 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import Body, Closure, Contact, Drive
-from asperity.drive.layout.drives import (
-    EQUAL_COEFFICIENTS,
-    SPRING_LOADED_PINS,
-    two_row_multiroller,
-    wedge_drive,
-)
 from asperity.drive.layout.mirror import MirrorImage, mirror_image
 from asperity.drive.layout.wedge_geometry import DriveGeometry
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.wedge import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
 from asperity.joint_file.build import joint_from_case
 from asperity.standing.over_torque import standing_over_torque
 

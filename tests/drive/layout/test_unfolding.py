@@ -93,7 +93,7 @@ def of_sizes(drive, added, support=None, interference=10e-6):
 
 @pytest.fixture(scope="module")
 def opposed():
-    from asperity.drive.layout.drives import planetary_drive
+    from asperity.drive.types.planetary import planetary_drive
 
     return planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=2)
 

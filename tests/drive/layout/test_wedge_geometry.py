@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.existence import has_room, neighbour_gaps, refuse_impossible
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
+from asperity.drive.types.wedge import wedge_drive
 from asperity.errors import InputError
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)

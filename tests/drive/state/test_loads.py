@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import planetary_drive
 from asperity.drive.state.loads import (
     drag_levers,
     drag_pairs,
@@ -15,6 +14,7 @@ from asperity.drive.state.loads import (
 )
 from asperity.drive.state.state import Creeping, DriveLoad, Resistance, surface_speeds
 from asperity.drive.state.states import drive_states
+from asperity.drive.types.planetary import planetary_drive
 from asperity.engine.control import at_once
 from asperity.engine.module import Partial
 

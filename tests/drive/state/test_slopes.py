@@ -12,14 +12,6 @@ from pins_in_bores import random_bores
 
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
-from asperity.drive.layout.drives import (
-    EQUAL_COEFFICIENTS,
-    SPRING_LOADED_PINS,
-    planetary_drive,
-    stepped_planet_drive,
-    two_row_multiroller,
-    wedge_drive,
-)
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.equations import (
@@ -40,6 +32,10 @@ from asperity.drive.state.slopes import newton_step, responses_and_slopes, state
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import Creeping, DriveLoad
 from asperity.drive.state.supports import carrier_supports
+from asperity.drive.types.multiroller import two_row_multiroller
+from asperity.drive.types.planetary import planetary_drive
+from asperity.drive.types.stepped_planet import stepped_planet_drive
+from asperity.drive.types.wedge import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
 from asperity.linear import solve
 
 GEOMETRY = DriveGeometry(

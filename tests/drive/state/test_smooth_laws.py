@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import planetary_drive
 from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.types.planetary import planetary_drive
 
 E, NU, MU, B = 206e9, 0.3, 0.12, 5e-3
 

@@ -9,10 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.supports import carrier_supports
 from asperity.drive.stiffness.network import network_stiffness
+from asperity.drive.types.wedge import wedge_drive
 from asperity.zou2025.kinematics import CONTACT_NAMES
 from asperity.zou2025.series_stiffness import series_torsional_stiffness
 

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import speed_ratio
-from asperity.drive.layout.drives import planetary_drive, stepped_planet_drive
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw
@@ -16,6 +15,8 @@ from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad
 from asperity.drive.state.states import drive_states
 from asperity.drive.state.supports import carrier_supports
 from asperity.drive.stiffness.network import network_stiffness, with_shafts
+from asperity.drive.types.planetary import planetary_drive
+from asperity.drive.types.stepped_planet import stepped_planet_drive
 
 ORBIT, COUNT = 30e-3, 3
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import signal
 import webbrowser
-from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from asperity.cli.terminal import in_unicode, say
+from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.edited_text import joint_file_text, with_measurement
 from asperity.joint_file.reader import read_case
+from asperity.joint_file.template import template
 from asperity.page.joint_request import MEASUREMENT_FILE, JointRequest, shown_name
 from asperity.page.server import is_loopback, listening_socket, require_packages
 from asperity.page.server import serve as serve_page
@@ -62,4 +63,4 @@ def _start(file: str) -> JointRequest:
 
 def _example() -> str:
     """The text of the joint that 'asperity init' writes."""
-    return files("asperity.joint_file").joinpath("zou2025.toml").read_text(encoding="utf-8")
+    return template(DEFAULT_TYPE)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from importlib.resources import files
 from pathlib import Path
 
 import click
@@ -13,6 +12,7 @@ from asperity.cli.commands import asperity
 from asperity.cli.terminal import prepare_output, say
 from asperity.errors import InputError
 from asperity.joint_file.schema import joint_schema
+from asperity.joint_file.template import template
 from asperity.writing import write_text
 
 #: Marks lines of the paper's example that a designer's file must not inherit.
@@ -21,8 +21,7 @@ _OF_THE_PAPER = "# the paper's closure"
 
 def init(file: str, kind: str, force: bool) -> None:
     """What ``asperity init`` does; its options stand in :mod:`asperity.cli.start`."""
-    example = files("asperity.joint_file").joinpath(f"{kind}.toml").read_text(encoding="utf-8")
-    text = "".join(line for line in example.splitlines(keepends=True) if _OF_THE_PAPER not in line)
+    text = "".join(line for line in template(kind).splitlines(keepends=True) if _OF_THE_PAPER not in line)
     if file == "-":
         prepare_output()
         click.echo(text, nl=False)

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from asperity.joint.bodies import are_stepped
 from asperity.joint.rims import bends
 from asperity.joint_file.assumed.described import Described
-from asperity.joint_file.part_names import material_key
 from asperity.library import read_materials
 from asperity.materials import Material
 from asperity.unit_table import Dimension
@@ -49,7 +48,7 @@ def fatigue(file: Described) -> Iterator[str]:
     """The fatigue strength of bodies that bend, each sentence once."""
     case, joint = file
     told = (
-        _strength(body.name, case.bodies[material_key(joint.type, body.name)], material)
+        _strength(body.name, case.bodies[case.drive_type.material_key(body.name)], material)
         for body, acts, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
         if acts
     )

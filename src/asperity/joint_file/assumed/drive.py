@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from asperity.joint_file.assumed.described import Described
 from asperity.joint_file.general_model import GeneralCase
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import leaves
 from asperity.units import format_quantity
@@ -15,7 +14,6 @@ _EQUAL_COEFFICIENTS = (
     "at standstill; the first contact that slips is the limit. With springs the forces follow from the slip of the "
     "contacts, and one of them may slip earlier, as the wind-up shows"
 )
-_STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 
 
 def open_sizes(file: Described) -> Iterator[str]:
@@ -34,7 +32,7 @@ def placement(file: Described) -> Iterator[str]:
     """Where the rollers of a listed drive are, and what holds the ring of another."""
     case, _ = file
     if not isinstance(case, GeneralCase):
-        if case.drive.ring_support is None:
+        if None in case.ring_supports():
             yield "no drive.ring_support: a rigid housing holds the outer rim of the ring"
         return
     yield "the rollers are placed where all contacts just touch, as near as possible to the positions in the file"
@@ -53,7 +51,7 @@ def placement(file: Described) -> Iterator[str]:
 def closures(file: Described) -> Iterator[str]:
     """What closes the balance of forces in place of the springs of the assembly."""
     joint = file.joint
-    if joint.type == WEDGE_TYPE and joint.drive.closure.equal_coefficients:
+    if not file.case.drive_type.is_listed and joint.drive.closure.equal_coefficients:
         yield (
             "model.traction_split: equal traction coefficients at both loading rollers of a planet, as the paper's "
             f"closure has it, {_EQUAL_COEFFICIENTS}"
@@ -66,16 +64,11 @@ def closures(file: Described) -> Iterator[str]:
         )
 
 
-def stepped_tracks(file: Described) -> Iterator[str]:
-    """The tracks of stepped rollers, and the rings that they run in."""
-    kind = file.case.type
-    if kind in _STEPPED:
-        yield (
-            f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "
-            "tilting moment; in compression a stepped roller is one spring for each contact"
-        )
-    if kind == "stepped_planet":
-        yield "both rings have the interference; the driven ring has no support"
+def of_type(file: Described) -> Iterator[str]:
+    """What its type says of a drive: how its tracks lie, and how long they are."""
+    for sentence, unless in file.case.drive_type.assumed:
+        if not unless or getattr(file.case.drive, unless, None) is None:
+            yield sentence
 
 
 def balance(_: Described) -> Iterator[str]:
@@ -100,17 +93,6 @@ def tolerances(file: Described) -> Iterator[str]:
             f"load.preload is a force: the tolerance of {', '.join(widths)}, up to {1e6 * max(widths.values()):.3g} "
             "µm, does not move it; give load.interference if the sizes make the preload"
         )
-
-
-def track_lengths(file: Described) -> Iterator[str]:
-    """How long the tracks are."""
-    case, joint = file
-    if joint.type != WEDGE_TYPE:
-        yield "every track is as long as its longest contact line"
-        return
-    for roller in ("planet", "loading_roller"):
-        if getattr(case.drive, f"{roller}_length") is None:
-            yield f"no drive.{roller}_length: as long as the longest contact line on it"
 
 
 def loading_cam(file: Described) -> Iterator[str]:
