@@ -30,7 +30,9 @@ def test_what_the_drive_has_not_is_refused_by_name(call, arguments, said):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize(
+    "name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar", "wheel_pair"]
+)
 def test_every_type_is_written_and_drawn(call, tmp_path, name):
     file = tmp_path / f"{name}.toml"
     assert call("init", file, "--type", name).code == 0

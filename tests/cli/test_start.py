@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from asperity.cli import start
+from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.reader import parse_case
+from asperity.precision import note_once
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
@@ -83,3 +86,13 @@ def test_commands_are_completed(call, monkeypatch):
     monkeypatch.setenv("COMP_WORDS", "asperity jo")
     monkeypatch.setenv("COMP_CWORD", "1")
     assert call().out == "plain,joint\n"
+
+
+def test_the_default_is_the_type_of_a_file_without_one_and_a_former_name_is_told(call, caplog):
+    assert start._DEFAULT == DEFAULT_TYPE
+    note_once.cache_clear()
+    assert call("init", "-", "--type", "zou2025").out == call("init", "-").out
+    assert caplog.messages == ['asperity: note: the type "zou2025" is called "wedge" now']
+    refused = call("init", "-", "--type", "wedges")
+    assert refused.code == 2
+    assert "'wheel_pair'" in refused.err

@@ -82,6 +82,7 @@ JOINTS = {
     "hollow": ("planetary_hollow", {}),
     "multiroller": ("multiroller", {}),
     "stepped": ("stepped_planet", {}),
+    "wheels": ("wheel_pair", {}),
     "planar": ("planar", {}),
 }
 

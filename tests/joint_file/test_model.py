@@ -16,7 +16,7 @@ from asperity.precision import note_once
 from asperity.reading import parse_toml
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar", "wheel_pair")
 
 
 def text_of(name):
@@ -156,10 +156,14 @@ def test_what_would_say_nothing_of_the_drive_is_refused(name, section, key):
         read(name, ("[model]", f"[{section}]\n{key}\n\n[model]"))
 
 
-@pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize(
+    "name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar", "wheel_pair"]
+)
 def test_places_of_the_rollers_are_those_of_the_drive(name):
     case = read(name)
-    off_axis = {body.place for body in joint_from_case(case).drive.bodies if body.place != "axis"}
+    off_axis = {
+        body.place for body in joint_from_case(case).drive.bodies if body.place not in ("axis", "held")
+    }
     assert set(case.roller_places()) == off_axis
 
 

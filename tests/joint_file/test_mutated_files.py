@@ -16,7 +16,7 @@ import pytest
 from asperity.views.blocks import Paragraph
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
+TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar", "wheel_pair")
 LONGEST_MESSAGE, LONGEST_SECONDS = 10_000, 60.0
 
 NUMBERS = "0 -0 1 -1 5 1e-300 1e300 1e400 -1e9 nan inf -inf 1_000 0x10 true 1e-8 2.0 1.9999 0.5 100 9999999999999999999"

@@ -128,7 +128,9 @@ def of(kind, blocks):
     return [block for block in blocks if isinstance(block, kind)]
 
 
-@pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize(
+    "name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar", "wheel_pair"]
+)
 def test_every_drive_has_the_results_that_are_studied(name):
     table = results_of(si_values(read_case(ROOT / "examples" / f"{name}.toml")))
     assert all(table[each].differentiable and not table[each].categories for each in STUDIED)

@@ -21,7 +21,7 @@ from asperity.show.sheet_figure import sheet_figure, text_width
 from asperity.show.taken import Box, distance, text_box
 from asperity.show.title_block import Title
 
-EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025")
+EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "wheel_pair")
 LONG = "the_right_hand_loading_roller_of_hardened_steel"
 #: Drives that leave little room, or none: changes of the examples.
 ODD = {

@@ -182,7 +182,9 @@ def placed(planar_case):
 WIDE = Box(-150.0, 150.0, -100.0, 100.0)
 
 
-@pytest.mark.parametrize("name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize(
+    "name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar", "wheel_pair"]
+)
 @pytest.mark.parametrize(
     "paper",
     [WIDE, Box(-75.0, 130.0, -95.0, 80.0), Box(-66.0, 66.0, -66.0, 66.0), Box(-60.0, 150.0, -20.0, 20.0)],

@@ -42,7 +42,7 @@ def test_copies_lie_around_the_axis_and_tracks_are_said_once(joint):
     assert radii_of(multiroller, 1) == pytest.approx([16.0, 10.0])
 
 
-@pytest.mark.parametrize("name", ["planetary", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize("name", ["planetary", "multiroller", "stepped_planet", "planar", "wheel_pair"])
 @pytest.mark.parametrize("scale", [0.2, 1.0, 2.0])
 def test_names_begin_at_their_contacts_and_cover_neither_each_other_nor_their_points(joint, name, scale):
     drawn, paper = joint(name), Box(-1e4, 1e4, -1e4, 1e4)

@@ -16,7 +16,7 @@ from asperity.show.sheet import Circle, Line, Text
 from asperity.show.taken import text_box
 
 ROOM = 143.0
-EXAMPLES = ("planetary", "multiroller", "stepped_planet", "zou2025")
+EXAMPLES = ("planetary", "multiroller", "stepped_planet", "zou2025", "wheel_pair")
 
 
 def solved(joint):
@@ -63,7 +63,7 @@ def test_bodies_lie_apart_around_the_middle_and_texts_beside_them(drawn):
     largest = {}
     for circle in (item for item in items if isinstance(item, Circle)):
         largest[circle.centre] = max(circle.radius, largest.get(circle.centre, 0.0))
-    assert len(largest) == len(joint.drive.floating)
+    assert len(largest) == (len(joint.drive.floating) or 2)  # both wheels in a frame
     bodies = list(largest.items())
     for k, ((x, y), radius) in enumerate(bodies):
         assert abs(x) + radius < 75.0
@@ -238,6 +238,17 @@ def test_forces_and_moments_on_each_roller_are_those_of_the_balance(forces_drawn
             if each.kind == "T"
         )
         assert moment == pytest.approx(float(loads.moments[number]), abs=1e-9)
+
+
+def test_bearings_in_a_frame_balance_a_wheel(forces_drawn):
+    """The contact pushes with 1000 N and drags with 2 N·m over 40 mm."""
+    _, _, found = forces_drawn("wheel_pair")
+    for wheel in ("driver", "driven"):
+        mine = [each for each in found if each.body == wheel]
+        assert [each.name for each in mine] == ["dd", "dd", "bearing"]
+        total = sum(each.size * np.array(each.direction) for each in mine)
+        np.testing.assert_allclose(total, 0.0, atol=1e-9)
+        assert mine[-1].size == pytest.approx(math.hypot(*(each.size for each in mine[:2])), rel=1e-12)
 
 
 def test_a_planetary_by_hand(forces_drawn):

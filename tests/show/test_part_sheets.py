@@ -11,7 +11,7 @@ from asperity.show.sheet import Line, Text
 from asperity.show.taken import text_box
 from asperity.show.title_block import Title
 
-NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "planar")
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "planar", "wheel_pair")
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.show.section_view import body_section, draw_section, drive_section, heights, planes
 from asperity.show.sheet import Line
 
-NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "planar")
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "planar", "wheel_pair")
 
 
 @pytest.fixture

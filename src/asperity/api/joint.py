@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from asperity.surface.measured_roughness import MeasuredRoughness
 
 #: Keys of the file that its one-line summary names.
-_COUNTS = ("drive.planets", "drive.rollers_per_row", "drive.sectors")
 _SUMMARY = ("load.preload", "load.interference", "load.output_torque", "load.sun_speed")
 
 
@@ -236,8 +235,9 @@ class DescribedJoint(Shown):
     def summary(self) -> str:
         """The joint in one line."""
         stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY if path in self.numbers)
-        count = next(self[path] for path in _COUNTS if path in self.numbers)
-        return f"{self.source}: {count.si:g} {count.label}, {stated}"
+        sectors = self.case.drive_type.sectors
+        count = None if sectors is None else self[f"drive.{sectors.key}"]
+        return f"{self.source}: {stated if count is None else f'{count.si:g} {count.label}, {stated}'}"
 
     def blocks(self) -> list[Block]:
         """The joint in one line, and the numbers of its file."""

@@ -123,6 +123,8 @@ class Joint(Module):
         Of the bearing on the carrier of each roller without a pin, in both directions [N/m]; None for floating ones.
     ring_bending_stiffness : Real or None, optional
         Of a spring in series with each contact of a ring [N/m]; None for none.
+    pressing_stiffness : Real or None, optional
+        Of a spring that presses the contacts, in series with them [N/m]; None where their interference or a force does.
     housing : Housing or None, optional
         Into which the rings are pressed that are not free; None where only its stiffness is known, or nothing.
     carrier_balance : {"complete", "printed"}, optional
@@ -165,6 +167,7 @@ class Joint(Module):
     pin_transverse_stiffness: Real | None = None
     planet_support_stiffness: Real | None = None
     ring_bending_stiffness: Real | None = None
+    pressing_stiffness: Real | None = None
     housing: Housing | None = None
     carrier_balance: Literal["complete", "printed"] = static(default="complete")
 

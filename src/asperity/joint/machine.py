@@ -84,17 +84,23 @@ def joint_machine(joint: Joint, rims: RimKernel | None = None) -> JointMachine:
         masses=tuple(body_masses(joint)),
         pin_compliance=pin_compliances(joint),
         bores=pins_in_bores(joint),
-        ring_compliance=_ring_springs(joint),
+        ring_compliance=_springs_in_series(joint),
         supports=_supports(joint),
     )
 
 
-def _ring_springs(joint: Joint) -> Array | None:
-    """Compliance of the springs in series with the contacts of rings, shape (contacts,) [m/N]; None for none."""
-    if joint.ring_bending_stiffness is None:
+def _springs_in_series(joint: Joint) -> Array | None:
+    """Compliance of springs in series with contacts, shape (contacts,) [m/N]; None for none.
+
+    For the bending of rings with theirs, and of a spring that presses with all.
+    """
+    bending, pressing = joint.ring_bending_stiffness, joint.pressing_stiffness
+    if bending is None and pressing is None:
         return None
     inside = np.array([contact.internal for contact in joint.drive.contacts])
-    return xp.where(inside, 1.0 / xp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
+    of_rings = 0.0 if bending is None else 1.0 / xp.asarray(bending, dtype=float)
+    of_all = 0.0 if pressing is None else 1.0 / xp.asarray(pressing, dtype=float)
+    return xp.where(inside, of_rings, 0.0) + of_all
 
 
 def _supports(joint: Joint) -> Supports | None:

@@ -47,6 +47,8 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
         outer.append(expansion)
     inner = xp.stack([expansions[body] for body in first])
     carrier = expansions[drive.pinned[0]] if drive.pinned else expansions[0]
+    if drive.layout.in_frame and housing_expansion is not None:  # the frame is the housing
+        carrier = xp.asarray(housing_expansion)
     return interference_of_strains(drive=drive, strains=(inner, xp.stack(outer)), carrier=carrier)
 
 

@@ -64,11 +64,12 @@ def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
 def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Array) -> Array:
     """Sizes of the forces on the members that bearings on the axis carry, shape (members,) [N]: zero for equal sectors.
 
-    Of contacts, counter-clockwise, shape (contacts,), and pins, shape (pins,) [N]; equation (I4) of :doc:`/equations`.
+    Those on axes of their own in the frame too. Of contacts, counter-clockwise, shape (contacts,), and pins, shape
+    (pins,) [N]; equation (I4) of :doc:`/equations`.
     """
     drive = joint.drive
     axis_forces = xp.zeros(len(drive.members))
-    if joint.unlike is None:
+    if joint.unlike is None and not drive.layout.in_frame:
         return axis_forces
     bodies = tuple(body.name for body in drive.bodies if body.on_axis)
     forces = forces_on_centre(

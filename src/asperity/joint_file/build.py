@@ -98,6 +98,9 @@ def joint_from_values(values: Values) -> Joint:
         pin_transverse_stiffness=springs.get("pin_transverse_stiffness"),
         planet_support_stiffness=springs.get("planet_support_stiffness"),
         ring_bending_stiffness=springs.get("ring_bending_stiffness"),
+        pressing_stiffness=None
+        if kind.pressing_stiffness is None
+        else kind.pressing_stiffness(values["drive"]),
         rolling=rolling_conditions(values),
         bearings=_bearings(kind, values.get("bearings")),
         pin=_pin(values.get("bearings", {})),

@@ -113,7 +113,7 @@ def _unknown_key(
     here = f"; for this drive write '{other}'" if other in known else ""
     if having == [DEFAULT_TYPE]:
         return f'{path}: only for the paper\'s drive (type = "{DEFAULT_TYPE}", or no type){here}', None
-    if having and parts[0] == "branch":
+    if having and parts[0] == "branch" and len(parts) > 1:
         return f"{path}: this drive has no such roller; here you can write {', '.join(known)}", None
     if having:
         named = ", ".join(f'"{kind}"' for kind in having)

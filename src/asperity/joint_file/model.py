@@ -152,6 +152,15 @@ class ModelChoice(Section):
     with their asperities. Those of the assembly if absent."""
 
 
+def stated_texts(section: Section) -> dict[str, str]:
+    """What a section states of its own keys, as the file writes it; without tables below it."""
+    return {
+        name: value.text if isinstance(value, Quantity) else str(value)
+        for name, value in section
+        if isinstance(value, Quantity | str)
+    }
+
+
 class Case(WholeFile):
     """What joint files of all drives have in common."""
 
@@ -268,7 +277,7 @@ class Case(WholeFile):
         stated = compliance.ring_housing_stiffness is not None
         if self.housing is not None:
             self._described_housing(stated)
-        elif ("elastic_housing" in supports) != stated:
+        elif ("elastic_housing" in supports) != stated and not self.in_frame():
             raise InputError(
                 f'{self._ring_key()} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give '
                 "both or neither, or describe the housing in [housing]"
@@ -321,7 +330,7 @@ class Case(WholeFile):
             by_interference=self.load.interference is not None or self.housing is not None,
             bodies=self.bodies,
             materials=self.materials,
-            without_housing=self.without_housing(),
+            without_housing="" if self.in_frame() else self.without_housing(),
         )
         return self
 
@@ -343,6 +352,13 @@ class Case(WholeFile):
         if not supports:
             return "a drive without a ring"
         return f'{self._ring_key()} = "free"' if all(support == "free" for support in supports) else ""
+
+    @model_validator(mode="after")
+    def _possible_for_the_type(self) -> Self:
+        if self.drive_type.refuse is not None:
+            sections: dict[str, Section] = {"drive": self.drive, "load": self.load}
+            self.drive_type.refuse({name: stated_texts(section) for name, section in sections.items()})
+        return self
 
     @model_validator(mode="after")
     def _known_parts(self) -> Self:
@@ -403,20 +419,34 @@ class Case(WholeFile):
     def _without_effect(self) -> Iterator[str]:
         """Messages about what a file says of pins, or of rollers without one, that its drive does not have."""
         for place, (keys, why) in _AT_PLACES.items():
-            if place in self.roller_places():
-                continue
-            for path in keys:
-                section, _, key = path.partition(".")
-                stated = getattr(self, section)
-                if (getattr(stated, key, None) if key else stated) is not None:
-                    yield f"{path}: {why}"
+            if place not in self.roller_places():
+                yield from self._useless(keys, _NO_PLANETS if place == "free" and self.in_frame() else why)
+        if self.in_frame():
+            yield from self._useless(_OF_RINGS, "this drive has no ring; leave it out")
+            yield from self._useless(_OF_SECTORS, "this drive has no sectors that differ; leave it out")
         if self.bearings is not None and self.bearings.pin_support and self.bearings.pin_length is None:
             yield (
                 f"bearings.pin_support = '{self.bearings.pin_support}': without pin_length the bending of the pins is "
                 "not computed; give pin_length, or leave pin_support out"
             )
 
+    def in_frame(self) -> bool:
+        """Whether bearings in the frame hold all bodies of the drive."""
+        parts = self.drive_type.parts
+        return bool(parts) and all(part.place == "held" for part in parts)
 
+    def _useless(self, keys: tuple[str, ...], why: str) -> Iterator[str]:
+        """A message about each of these keys that the file states."""
+        for path in keys:
+            section, _, key = path.partition(".")
+            stated = getattr(self, section)
+            if (getattr(stated, key, None) if key else stated) is not None:
+                yield f"{path}: {why}"
+
+
+_OF_RINGS = ("compliance.ring_bending_stiffness", "compliance.ring_housing_stiffness")
+_OF_SECTORS = ("compliance.sun_support_stiffness",)
+_NO_PLANETS = "no roller of this drive is free, the bearings of the frame hold them; leave it out"
 #: What needs rollers at a place, and what to say where the drive has none there.
 _AT_PLACES = {
     "pin": (

@@ -105,7 +105,8 @@ def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int
         else:
             table, key = case.contact[number], ("first", "second")[side]
         stated, crown = getattr(table, f"{key}_radius", None), getattr(table, f"{key}_crown_radius", None)
-        added = case.load.interference if side == 1 and float(joint.pattern[number]) != 0.0 else None
+        in_ring = side == 1 and contact.internal and float(joint.pattern[number]) != 0.0
+        added = case.load.interference if in_ring else None
         tolerances.append(sum(entry.tolerance for entry in (stated, added) if entry is not None))
         crowns += [] if crown is None else [float(crown.value)]
     names = tuple(joint.drive.contacts[number].name for number in contacts)

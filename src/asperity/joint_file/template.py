@@ -14,7 +14,7 @@ VARIANTS = {"planetary_hollow": "planetary"}
 _WIDEST = 118
 _COMMON = """\
 [load]
-{pressed}
+preload = "1000 N"                 # normal force of the first contact, without torque
 output_torque = "1 N*m"
 sun_speed = "1000 rpm"             # of the input, whatever its name
 friction_coefficient = 0.08        # traction fluid; or for each contact, by its name
@@ -60,8 +60,6 @@ def made_template(kind: DriveType) -> str:
     for entry in kind.sizes:
         lines += _lines(entry)
     common = _COMMON.format(
-        pressed=kind.start_pressed
-        or 'preload = "1000 N"                 # force of the first contact without torque',
         model="".join(f'{word.key} = "{word.words[0]}"\n' for word in kind.model if word.required),
         bodies="\n".join(f'{name} = "52100"' for name in kind.material_keys),
     )

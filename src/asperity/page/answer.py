@@ -26,7 +26,7 @@ from asperity.page.list_changes import stated_lists
 from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
 from asperity.rolling.curves import creep_curves
-from asperity.show.free_bodies import BodyForce, body_forces
+from asperity.show.free_bodies import BodyForce, body_forces, drawn_apart
 from asperity.standing.standing import torque_curves
 from asperity.standing.windup import windup
 from asperity.units import from_si
@@ -167,7 +167,7 @@ def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
         "rollers": circles,
         "rings": rings,
         "forces": _contact_forces(joint, forces) if known else [],
-        "bodies": [_free_body(joint, number, forces) for number in drive.floating if known],
+        "bodies": [_free_body(joint, number, forces) for number in drawn_apart(drive) if known],
     }
 
 

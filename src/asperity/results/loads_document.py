@@ -64,6 +64,11 @@ _AXIAL = (
     "Axial forces come from skewed contacts in rolling; those of rollers on pins also act on the carrier. Rollers "
     "without a pin need flanges or a cage, which the file does not describe."
 )
+_FRAME = (
+    "The bearings of each wheel in the frame carry its resultant force, that of the contact with its friction and the "
+    "drag of the oil. Weights and external forces are not included; only the loads of rated bearings include the "
+    "outside_force of their section."
+)
 _BEARINGS = "Torques are those of rollers and pins, without the friction torques of the bearings."
 
 
@@ -90,7 +95,10 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
         why = unknown_because(at_load, under)[0] if unknown else None
         cases.append(case_entry(name, float(at_load.output_torque), float(at_load.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    notes = [_DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES, _MOUNTING]
+    sectors = _EQUAL if joint.unlike is None else UNEQUAL
+    notes = [_DIRECTIONS, _FRAME if drive.layout.in_frame else sectors, _STATES]
+    if any(shape.kind == "ring" for shape in joint.shapes):
+        notes.append(_MOUNTING)
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:
@@ -151,11 +159,16 @@ def _rows(
             if thrust is not None and number not in drive.pinned:
                 yield name.replace("_", " "), "roller without a pin", "axial force", "N", thrust[number]
             continue
-        if name == CARRIER and not drive.pinned:
+        if name == CARRIER and not drive.pinned and not drive.layout.in_frame:
             continue
         role = {drive.input: "input", drive.output: "output", drive.grounded: "grounded"}.get(name, "idle")
         part = (name.replace("_", " "), f"on the axis, {role}")
         moment = drive.sense * np.array([load.moments[number] for load in loads])
+        if drive.layout.in_frame:
+            if name == CARRIER:
+                yield "frame", role, "torque of the bearings' forces", "N*m", moment
+                continue
+            part = (part[0], f"in its bearings, {role}")
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
         yield *part, "resultant force", "N", held[number]
         if thrust is not None:

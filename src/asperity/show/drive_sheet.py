@@ -254,7 +254,7 @@ def _lines(
     lines += [
         f"{contact.name}: {contact.first.replace('_', ' ')} – {contact.second.replace('_', ' ')}"
         + ("" if alike else f", length {length}")
-        + _interference(joint, contact.second, less)
+        + (_pressed(joint) if drive.layout.in_frame else _interference(joint, contact.second, less))
         for contact, length, less in zip(
             drive.contacts, lengths, contact_interferences(joint, interference), strict=True
         )
@@ -262,6 +262,18 @@ def _lines(
     if stated is not None:
         lines += ["", "Parts", *part_lines(joint, stated)]
     return lines
+
+
+def _pressed(joint: Joint) -> str:
+    """Words for what presses the contact of bodies in a frame."""
+    spring = joint.pressing_stiffness
+    by = "" if spring is None else f" by a spring of {format_quantity(float(np.asarray(spring)), 'N/mm')}"
+    if joint.preload is not None:
+        return f", pressed with {format_quantity(float(np.asarray(joint.preload)), 'N')}{by}"
+    size = float(np.asarray(joint.interference))
+    if spring is not None:
+        return f", pressed{by}, {format_quantity(size, 'mm')} from first touch"
+    return f", centres {format_quantity(size, 'µm')} nearer to each other than the sum of both radii"
 
 
 def _interference(joint: Joint, ring: str, less: float | None) -> str:

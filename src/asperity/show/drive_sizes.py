@@ -105,9 +105,10 @@ def sizes(
 
 
 def contact_interferences(joint: Joint, interference: float | None = None) -> list[float | None]:
-    """By how much the radius of the ring in each contact is too small [m]."""
+    """By how much the radius of the ring in each contact is too small [m]; 0 without a ring."""
     drive = interference if joint.interference is None else float(joint.interference)
-    shares = [float(share) for share in np.asarray(joint.pattern)]
+    both = zip(joint.drive.contacts, np.asarray(joint.pattern), strict=True)
+    shares = [float(share) if contact.internal else 0.0 for contact, share in both]
     return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
 
 

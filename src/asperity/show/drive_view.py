@@ -107,7 +107,7 @@ def reach_of(joint: Joint) -> float:
 
 def drive_view(joint: Joint, scale: float) -> list[Item]:
     """Outlines and axes of all bodies."""
-    rings, beyond = rings_of(joint), 3.0 / scale
+    rings, beyond, in_frame = rings_of(joint), 3.0 / scale, joint.drive.layout.in_frame
     items: list[Item] = []
     orbits: list[float] = []
     for number, body in enumerate(joint.drive.bodies):
@@ -127,13 +127,13 @@ def drive_view(joint: Joint, scale: float) -> list[Item]:
             # a solid roller has a bore as wide as its pin
             if pin and (bore is None or pin < 1e3 * float(bore)):
                 items.append(Circle((x, y), 0.5 * pin))
-            if not body.on_axis:
+            if in_frame or not body.on_axis:
                 items += cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
         if not body.on_axis:
             orbits.append(math.hypot(*copies_of(joint, number)[0]))
             if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
                 items.append(Circle((0.0, 0.0), orbits[-1], "axis"))
-    return items + cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
+    return items if in_frame else items + cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
 
 
 def cross(centre: Point, half: float, angle: float) -> list[Item]:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.layout.drive import contact_angles, driving_sense
+from asperity.drive.layout.drive import Drive, contact_angles, driving_sense
 from asperity.joint.body_shape import BodyShape
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
@@ -30,17 +30,17 @@ _LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
 
 def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float, scale: float) -> list[Item]:
     """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes."""
-    drive = joint.drive
-    names = [drive.bodies[number].name for number in drive.floating]
+    drive, numbers = joint.drive, drawn_apart(joint.drive)
+    names = [drive.bodies[number].name for number in numbers]
     forces = [force for force in body_forces(joint, result) if force.body in names]
     tracks = {
         name: [(float(radius), contacts) for radius, contacts in tracks_of(joint, number)]
-        for name, number in zip(names, drive.floating, strict=True)
+        for name, number in zip(names, numbers, strict=True)
     }
     radii = body_outlines(
         {
             name: [*(radius for radius, _ in tracks[name]), *_bore(joint.shapes[number])]
-            for name, number in zip(names, drive.floating, strict=True)
+            for name, number in zip(names, numbers, strict=True)
         }
     )
     of_contact = {
@@ -59,7 +59,7 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
     labels = _Labels(list(bodies.values()), arrows)
     for name, (centre, radius) in bodies.items():
         words = name.replace("_", " ")
-        if min(radii[name]) > _ROOM_FOR_NAME:  # no arrow points into it
+        if min(radii[name]) > _ROOM_FOR_NAME and not drive.layout.in_frame:  # no arrow points into it
             labels.write((words,), (centre[0], centre[1] - 6.0), "center")
         else:
             labels.find((words,), centre, radius, (0.0, 1.0))
@@ -90,6 +90,13 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
         *(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows),
         *(Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts),
     ]
+
+
+def drawn_apart(drive: Drive) -> tuple[int, ...]:
+    """Numbers of the bodies that are drawn with their forces: those off the axis, or those that the frame holds."""
+    if not drive.layout.in_frame:
+        return drive.floating
+    return tuple(number for number, body in enumerate(drive.bodies) if body.place != "axis")
 
 
 def _bore(shape: BodyShape) -> list[float]:
@@ -197,8 +204,8 @@ def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
     """Forces on the bodies of the first sector under the joint's torque, without the centrifugal ones.
 
     For each contact the normal and the tangential force on its first and on its second body, then the force of each pin
-    on its roller. Bodies on the axis have these forces from every sector. Equation (M1) of :doc:`/equations`, with the
-    signs of :func:`asperity.drive.layout.drive.incidence`.
+    on its roller, and of the bearings on each body in a frame. Bodies on the axis have these forces from every sector.
+    Equation (M1) of :doc:`/equations`, with the signs of :func:`asperity.drive.layout.drive.incidence`.
     """
     drive = joint.drive
     names = [body.name for body in drive.bodies]
@@ -223,16 +230,24 @@ def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
         cosine, sine = math.cos(float(drive.push_angles[pin])), math.sin(float(drive.push_angles[pin]))
         push = (cosine * outward[1] + sine * outward[0], -cosine * outward[0] + sine * outward[1])
         forces.append(BodyForce(names[number], "pin", "F", (0.0, 0.0), push, -float(result.forces.pins[pin])))
-    return forces
+    return [*forces, *(_of_bearing(body, forces) for body in names if drive.layout.in_frame)]
+
+
+def _of_bearing(body: str, forces: list[BodyForce]) -> BodyForce:
+    """The force of its bearings on a body in the frame, which balances all others."""
+    sums = [-math.fsum(f.size * f.direction[axis] for f in forces if f.body == body) for axis in (0, 1)]
+    size = math.hypot(*sums)
+    direction = (sums[0] / size, sums[1] / size) if size > 0.0 else (0.0, 0.0)
+    return BodyForce(body, "bearing", "F", (0.0, 0.0), direction, size)
 
 
 class BodyForce(NamedTuple):
     """One force on one body of the first branch, whose planet lies above the sun.
 
-    ``body``: ``planet``, ``right loading roller`` or ``left loading roller``; ``name``: the contact, or ``pin``;
-    ``kind``: ``N`` normal, ``T`` tangential, ``F`` of a pin. ``place``: direction from the centre of the body to the
-    contact, (0, 0) for a pin; ``direction``: unit vector, to the right and upwards; ``size``: the force in this
-    direction [N], negative for the opposite one.
+    ``body``: ``planet``, ``right loading roller`` or ``left loading roller``; ``name``: the contact, ``pin`` or
+    ``bearing``; ``kind``: ``N`` normal, ``T`` tangential, ``F`` of a pin or bearing. ``place``: direction from the
+    centre of the body to the contact, (0, 0) for a pin; ``direction``: unit vector, to the right and upwards; ``size``:
+    the force in this direction [N], negative for the opposite one.
     """
 
     body: str
@@ -274,4 +289,4 @@ def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, 
 def force_label(force: BodyForce) -> str:
     """Name and size of a force."""
     size = format_quantity(abs(force.size), "N")
-    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]
+    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"{force.name}: {size}"}[force.kind]

@@ -9,8 +9,9 @@ from typing import Any
 from asperity.joint.pin_bound import bounded
 from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import first_slip_words, may_carry_more, standing_words
+from asperity.joint_file.part_names import drive_type_of
 from asperity.views.blocks import Block, Bullets, Figure, Figures, Heading, Paragraph, Table
-from asperity.views.numbers import count, number, number_in, percent, quantity, unit_words, words
+from asperity.views.numbers import number, number_in, percent, quantity, unit_words, words
 from asperity.views.solved_view import SolvedView
 
 Document = dict[str, Any]
@@ -32,15 +33,10 @@ def verdict_words(verdict: Document) -> str:
 def load(view: SolvedView) -> Paragraph:
     """For which load the numbers hold: speed, preload, torque, temperature, cam."""
     document = view.document
-    stated, preload = document["input"]["drive"], document["preload"]
-    if "planets" in stated:
-        size = count(stated["planets"], "planet")
-    elif "sectors" in stated:
-        size = count(stated["sectors"], "sector")
-    else:
-        size = f"{count(document['geometry']['sectors'], 'roller')} in each row"
+    preload, sectors = document["preload"], drive_type_of(document["input"]).sectors
+    size = "" if sectors is None else f"{sectors.words_of(number(document['geometry']['sectors']))}, "
     parts = [
-        f"{size}, {input_member(document)} at {quantity(document['input_speed_rad_per_s'], 'rpm')}",
+        f"{size}{input_member(document)} at {quantity(document['input_speed_rad_per_s'], 'rpm')}",
         f"preload {quantity(preload['force_N'], 'N')} (interference {quantity(preload['interference_m'], 'um')})",
         f"output torque {quantity(document['input']['load']['output_torque'], 'N*m')}",
     ]
@@ -199,7 +195,9 @@ def drive(view: SolvedView) -> Table:
         *_clearance(document["geometry"]),
     ]
     if view.made_interference is not None:
-        rows.append(("interference to be made", quantity(view.made_interference, "um")))
+        has_rings = any(shape.kind == "ring" for shape in view.solved.joint.shapes)
+        made = "interference to be made" if has_rings else "approach of the axes from first touch"
+        rows.append((made, quantity(view.made_interference, "um")))
     return Table("Drive", ("quantity", "value"), rows, words=(0, 1))
 
 

@@ -56,8 +56,3 @@ def sentence(text: str) -> str:
     """A sentence that begins with a capital and ends with a full stop."""
     text = text[:1].upper() + text[1:]
     return text if text.endswith((".", ":", "?")) else f"{text}."
-
-
-def count(value: float, word: str) -> str:
-    """How many there are of something."""
-    return f"{number(value)} {word}{'' if value == 1 else 's'}"

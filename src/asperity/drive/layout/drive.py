@@ -35,10 +35,10 @@ class Body:
         Its name.
     place : {"axis", "free", "pin", "held"}
         ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
-        carrier supports its centre along the push direction; it is free across; ``held``: on the axis as well, in a
-        drive whose sectors are not equal, so that its bearings hold it.
+        carrier supports its centre along the push direction; it is free across; ``held``: bearings hold it, on the
+        drive's axis if its sectors are not equal, or on an axis of its own in the frame, which is a grounded carrier.
     central : bool, optional
-        Whether its centre lies on the axis although it can move, in such a drive.
+        Whether its centre lies on the axis of a drive whose sectors are not equal, where bearings hold it or it moves.
     """
 
     name: str
@@ -47,7 +47,7 @@ class Body:
 
     @property
     def on_axis(self) -> bool:
-        """Whether it turns about the drive's axis; all sectors share it."""
+        """Whether it turns about the drive's axis, or one of its own in the frame; all sectors share it."""
         return self.central or self.place in ("axis", "held")
 
 
@@ -108,7 +108,8 @@ class Layout(NamedTuple):
     ``carrier``: their numbers; ``turning``: numbers of those whose rotation is unknown, all but the input and the
     grounded one. ``first`` and ``second``: numbers of the bodies of each contact, shape (contacts,); ``outward``: -1
     where the first lies inside the second, else 1; ``sector``: that of the second one. ``floating`` and ``pinned``:
-    numbers of the bodies whose centres can move, and of those on pins. ``unit``: a row for each member, shape (members,
+    numbers of the bodies whose centres can move, and of those on pins. ``in_frame``: whether bearings hold bodies on
+    axes of their own. ``unit``: a row for each member, shape (members,
     members), and ``relative``, the same less the carrier's. ``on_axis``: members on the axis. ``tracks``: of each body.
     """
 
@@ -124,6 +125,7 @@ class Layout(NamedTuple):
     sector: np.ndarray
     floating: tuple[int, ...]
     pinned: tuple[int, ...]
+    in_frame: bool
     unit: np.ndarray
     relative: np.ndarray
     on_axis: np.ndarray
@@ -150,6 +152,7 @@ def _layout(
         sector=np.array([contact.sector for contact in contacts]),
         floating=tuple(i for i, body in enumerate(bodies) if body.place in ("free", "pin")),
         pinned=tuple(i for i, body in enumerate(bodies) if body.place == "pin"),
+        in_frame=any(body.place == "held" and not body.central for body in bodies),
         unit=unit,
         relative=unit - unit[number[CARRIER]],
         on_axis=np.array([*(body.place == "axis" for body in bodies), True]),

@@ -26,6 +26,7 @@ class Sectors:
     """The key of the number of equal sectors.
 
     ``key`` in [drive] and its ``meaning``; ``words`` for many of them, as "rollers in a row", and ``each`` for one;
+    ``counted``, the words behind their number, where they are others;
     ``range`` of the number, and a number to ``start`` with in a template.
     """
 
@@ -35,6 +36,11 @@ class Sectors:
     each: str = "sector"
     range: Range = SECTORS
     start: str = "3"
+    counted: str = ""
+
+    def words_of(self, count: str) -> str:
+        """Their number in words."""
+        return f"{count} {self.counted or self.words}"
 
 
 @dataclass(frozen=True)
@@ -170,9 +176,10 @@ class DriveType:
     closure : callable, optional
         From all tables to what is assumed in place of compatibility.
     refuse : callable or None, optional
-        Raises an ``InputError`` for tables that no such drive can have.
-    linear_compliance : callable or None, optional
-        From the sizes of [drive] to a compliance in series with every contact [m/N]: of a spring that presses.
+        Raises an ``InputError`` for a file that no such drive can have; of the texts that its sections [drive] and
+        [load] state, by the names of the sections and of their keys.
+    pressing_stiffness : callable or None, optional
+        From the sizes of [drive] to the stiffness of the spring that presses its contacts [N/m], None where none does.
     branches : Branches or None, optional
         The sections [[branch]]; None for a drive whose sectors are alike.
     bearings : OwnBearings or None, optional
@@ -181,8 +188,6 @@ class DriveType:
         Further keys of [model].
     assumed : tuple of Assumed, optional
         What is taken of it, for the list of what is assumed.
-    start_pressed : str, optional
-        Line of [load] in a template that says what presses the contacts; a preload if empty.
     example : str, optional
         Name of its packaged joint file; that of the type if empty.
     file_summary : str, optional
@@ -208,13 +213,12 @@ class DriveType:
     sense: int = 1
     roles: Callable[[Tables], tuple[str, str]] | None = None
     closure: Callable[[Tables], Closure] = _no_closure
-    refuse: Callable[[Any], None] | None = None
-    linear_compliance: Callable[[Tables], Real | None] | None = None
+    refuse: Callable[[Mapping[str, Mapping[str, str]]], None] | None = None
+    pressing_stiffness: Callable[[Tables], Real | None] | None = None
     branches: Branches | None = None
     bearings: OwnBearings | None = None
     model: tuple[Choice, ...] = ()
     assumed: tuple[Assumed, ...] = (Assumed("every track is as long as its longest contact line"),)
-    start_pressed: str = ""
     example: str = ""
     file_summary: str = ""
     default_type: bool = False
@@ -321,7 +325,7 @@ class DriveType:
             for side, body, track in zip(
                 SIDES, (contact.first, contact.second), self.tracks(contact), strict=True
             )
-            if self.part(body).place != "axis"
+            if self.part(body).place in ("free", "pin")
         ]
         return {
             name: tuple(at for other, at in sides if other == name)

@@ -87,6 +87,8 @@ def ring_interference(*, drive: Drive, forces: Array, interference: Array) -> Ar
 
     .. math:: \delta = \frac{\sum_k N_k\,\delta_k}{\sum_{k\,\mathrm{internal}} N_k}
 
+    In a drive without rings that of all contacts.
+
     Parameters
     ----------
     drive : Drive
@@ -106,6 +108,7 @@ def ring_interference(*, drive: Drive, forces: Array, interference: Array) -> Ar
     Virtual work, as in equation (I1) of :doc:`/equations`.
     """
     inside = np.array([contact.internal for contact in drive.contacts])
+    inside = inside if inside.any() else ~inside
     return xp.sum(forces * interference) / xp.sum(xp.where(inside, forces, 0.0))
 
 

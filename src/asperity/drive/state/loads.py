@@ -97,6 +97,7 @@ def resistance_levers(drive: Drive) -> Resistance:
         M_c = (R_1 \mp R_2)\,g_s
 
     of the drag g of the oil, the moment h of hysteresis and the drag :math:`g_s` of skew, plus in external contacts.
+    A carrier that is a frame, in which bearings hold the bodies, has :math:`(R_1 \mp R_2)\,g` too.
 
     Parameters
     ----------
@@ -118,8 +119,8 @@ def resistance_levers(drive: Drive) -> Resistance:
     copies = sectors_of_members(drive)[:, None]
     # what one sector's bearings bear
     held = -(oil / copies).sum(axis=0)
-    carrier = copies * unit[layout.carrier][:, None]
-    return Resistance(oil, copies * (second - first).T, oil + carrier * held)
+    carried = oil + copies * unit[layout.carrier][:, None] * held
+    return Resistance(carried if layout.in_frame else oil, copies * (second - first).T, carried)
 
 
 def resistance_moments(drive: Drive, resistance: Resistance) -> Array:
@@ -211,12 +212,10 @@ def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Ar
 
     Of their forces, shape (contacts,) and (pins,) [N], to shape (members,) [N·m].
     """
-    layout = drive.layout
-    moments = xp.where(
-        layout.unit[layout.carrier] > 0.0,
-        (matrices.levers * pin).sum(),
-        -product(matrices.turning.T, tangential),
-    )
+    layout, of_contacts = drive.layout, -product(matrices.turning.T, tangential)
+    # bearings in the frame pass on to it what the contacts do to their bodies
+    carried = (matrices.levers * pin).sum() + (of_contacts[layout.carrier] if layout.in_frame else 0.0)
+    moments = xp.where(layout.unit[layout.carrier] > 0.0, carried, of_contacts)
     return moments * sectors_of_members(drive)
 
 

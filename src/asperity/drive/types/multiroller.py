@@ -55,7 +55,13 @@ MULTIROLLER = DriveType(
     "grounded.",
     file_summary="A joint file with a two-row multiroller drive.",
     rank=2,
-    sectors=Sectors("rollers_per_row", "Number of rollers in each row, equally spaced.", "rollers in a row"),
+    sectors=Sectors(
+        "rollers_per_row",
+        "Number of rollers in each row, equally spaced.",
+        "rollers in a row",
+        counted="rollers in each row",
+        start="4",
+    ),
     parts=(
         Part("sun", "axis"),
         Part("first_row", "free"),
@@ -69,19 +75,19 @@ MULTIROLLER = DriveType(
         Pairing("sr", "second_row", "ring", tracks=("second_row_small", ""), internal=True),
     ),
     sizes=(
-        radius("sun", "Radius s of the sun roller, the input.", start="10 mm"),
+        radius("sun", "Radius s of the sun roller, the input.", start="9.4 mm"),
         radius(
-            "first_row", "Large radius x_1 of the first row's rollers, which touches the sun.", start="18 mm"
+            "first_row", "Large radius x_1 of the first row's rollers, which touches the sun.", start="16 mm"
         ),
         radius(
             "first_row_small",
             "Small radius y_1 of the first row's rollers, which touches two rollers of the second row.",
-            start="9 mm",
+            start="10 mm",
         ),
         radius(
             "second_row",
             "Large radius x_2 of the second row's rollers, which touches two rollers of the first row.",
-            start="20 mm",
+            start="18 mm",
         ),
         radius(
             "second_row_small",

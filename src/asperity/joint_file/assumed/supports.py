@@ -72,7 +72,9 @@ def springs(file: Described) -> Iterator[str]:
     """The springs of the structure around the rollers."""
     compliance = file.case.compliance
     if compliance is None:
-        yield "no section [compliance]: shafts are rigid, rollers without a pin float"
+        yield "no section [compliance]: shafts are rigid" + (
+            "" if file.case.in_frame() else ", rollers without a pin float"
+        )
         return
     absent = [name for name, value in compliance if value is None]
     if absent:

@@ -22,6 +22,8 @@ def temperature(file: Described) -> Iterator[str]:
             f"load.preload is a force: {_left_out(case)} does not move it, as if a spring or a weight made it; give "
             "load.interference if the sizes make the preload"
         )
+    elif case.temperature.housing_expansion is None and case.in_frame():
+        yield "no temperature.housing_expansion: the frame expands as the driving wheel does"
     elif case.temperature.housing_expansion is None and case.housing is None and not case.without_housing():
         yield "no temperature.housing_expansion: the housing expands as the ring does"
 

@@ -9,6 +9,7 @@ const LONGEST_ARROW = 0.24; // of the inner radius
 function made(drawing, rings) {
   const less = drawing.made_interference_m;
   if (less === null) return "The interference with which the ring is made is not known.";
+  if (!rings.length) return ""; // the parts have no interference
   const said = `Interference ${number(1e6 * less)} µm on the radius`;
   if (rings.length !== 1) return `${said}.`;
   const [ring] = rings;

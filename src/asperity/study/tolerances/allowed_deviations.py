@@ -290,7 +290,9 @@ def _sizes(case: Case) -> tuple[dict[str, NumericKey], np.ndarray]:
     else:
         sizes = {f"drive.{name}": stated[f"drive.{name}"] for name in radii}
     diameters = {path: 2.0 * entry.value for path, entry in sizes.items()}
-    if radii and "drive.ring_radius" not in sizes:  # then the bores of the rings follow from the rollers
+    rings = case.drive_type.rings
+    if rings and any(f"drive.{ring.size_key}_radius" not in sizes for ring in rings):
+        # the bores of the rings follow from the rollers
         sizes["load.interference"] = stated["load.interference"]
         diameters["load.interference"] = 2.0 * float(np.max(joint_from_case(case).drive.second_radius))
     return sizes, np.array(list(diameters.values()))
