@@ -205,7 +205,7 @@ def _geometry(solved: SolvedJoint) -> Document:
         "sectors": round(float(drive.sectors)) if joint.unlike is None else joint.unlike.sectors,
         "input": drive.input,
         "output": drive.output,
-        "grounded": drive.grounded,
+        "grounded": drive.ground,
         "centres_m": {
             body.name: [float(x) for x in centre]
             for body, centre in zip(drive.bodies, np.asarray(drive.centres), strict=True)

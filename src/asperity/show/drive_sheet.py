@@ -218,7 +218,7 @@ def _lines(
     lines = [
         f"ratio {format_quantity(float(speed_ratio(drive)), '1', 5)}",
         f"{drive.input.replace('_', ' ')} in, {drive.output.replace('_', ' ')} out, "
-        f"{drive.grounded.replace('_', ' ')} grounded",
+        f"{drive.ground.replace('_', ' ')} grounded",
     ]
     if any(body.place == "pin" for body in drive.bodies) and drive.grounded != CARRIER:
         pinned = ", ".join(drive.bodies[body].name.replace("_", " ") for body in drive.pinned)

@@ -246,6 +246,11 @@ class Drive(Module):
         return _layout(self.bodies, self.contacts, self.input, self.output, self.grounded)
 
     @property
+    def ground(self) -> str:
+        """What stands: the grounded member, or the frame where its bearings hold the wheels."""
+        return "frame" if self.layout.in_frame and self.grounded == CARRIER else self.grounded
+
+    @property
     def members(self) -> tuple[str, ...]:
         """All rotating members: the bodies, then the carrier."""
         return self.layout.members
