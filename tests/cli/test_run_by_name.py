@@ -67,7 +67,16 @@ def test_a_command_about_one_joint_loads_no_studies_and_no_plotting(command):
     assert modules_after(name, EXAMPLE, *options) & set(OF_STUDIES) == set()
 
 
-def modules_after(*arguments):
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "command", ["sweep --over a=1:2:3", "sensitivity", "uncertainty", "tolerances --keep a>=1"]
+)
+def test_a_missing_file_is_refused_before_a_study_is_loaded(command):
+    name, *options = command.split()
+    assert "jax" not in modules_after(name, "none.toml", *options, code=2)
+
+
+def modules_after(*arguments, code=0):
     """The modules that a command has loaded at its end."""
     script = (
         "import sys, atexit; from asperity.cli import main; "
@@ -78,6 +87,7 @@ def modules_after(*arguments):
         capture_output=True,
         text=True,
         env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
-        check=True,
+        check=False,
     )
+    assert done.returncode == code, done.stderr
     return set(done.stdout.rpartition("|")[2].split())

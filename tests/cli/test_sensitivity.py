@@ -33,7 +33,7 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
         rows = [row for row in whole["result"].values.tolist() if row.startswith(tuple(results))]
         return whole.sel(result=rows)
 
-    monkeypatch.setattr("asperity.cli.runs.sensitivity.differentiate", asked_for)
+    monkeypatch.setattr("asperity.study.tolerances.sensitivity.sensitivity", asked_for)
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
     elasticity = document["results"]["standing_torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)

@@ -30,7 +30,7 @@ def asked(monkeypatch):
         )
         return AllowedDeviations(sizes, ("drive.planet_radius",), 9990, 10_000, 0.999)
 
-    monkeypatch.setattr("asperity.cli.runs.tolerances.allowed_deviations", allowed)
+    monkeypatch.setattr("asperity.study.tolerances.allowed_deviations.allowed_deviations", allowed)
     return seen
 
 

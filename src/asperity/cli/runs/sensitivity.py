@@ -7,17 +7,19 @@ from asperity.cli.terminal import about, print_json, save_image, show_blocks
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import si_values
 from asperity.results import known_result
-from asperity.study.tolerances.documents import sensitivity_document
-from asperity.study.tolerances.influence_plot import tornado_figure
-from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows
-from asperity.study.tolerances.sensitivity import sensitivity as differentiate
-from asperity.views.tolerances import elasticities
 from asperity.writing import check_image
 
 
 def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None:
     """What ``asperity sensitivity`` does; its options stand in :mod:`asperity.cli.sensitivity`."""
     case = read_case_of_branches(file)
+    # what imports JAX, once the file is read
+    from asperity.study.tolerances.documents import sensitivity_document
+    from asperity.study.tolerances.influence_plot import tornado_figure
+    from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows
+    from asperity.study.tolerances.sensitivity import sensitivity as differentiate
+    from asperity.views.tolerances import elasticities
+
     table = results_of(si_values(case))
     rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]

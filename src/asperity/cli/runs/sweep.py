@@ -16,10 +16,7 @@ from asperity.joint_file.si_tables import si_values
 from asperity.results import Result, chosen_results
 from asperity.study.datasets import SWEEP_TABLES, asked_units, check_table_path, in_units, write_table
 from asperity.study.parameters import parse_axis
-from asperity.study.sweep.store import check_store
-from asperity.study.sweep.sweep import sweep as evaluate_sweep
 from asperity.study.sweep.sweep_map import parse_limit
-from asperity.study.sweep.sweep_plot import sweep_figure
 from asperity.writing import check_apart, check_file, check_image, if_abandoned
 
 
@@ -38,6 +35,10 @@ def sweep(
 ) -> None:
     """What ``asperity sweep`` does; its options stand in :mod:`asperity.cli.sweep`."""
     case = read_case_of_branches(file)
+    # what imports JAX, once the file is read
+    from asperity.study.sweep.sweep import sweep as evaluate_sweep
+    from asperity.study.sweep.sweep_plot import sweep_figure
+
     kind, table = case.type, results_of(si_values(case))
     grid = [parse_axis(axis, kind=kind) for axis in axes]
     names = _listed(results)
@@ -108,6 +109,8 @@ def _check_output(out: str | None, file: str, *, overwrite: bool) -> None:
         return
     suffix = Path(out).suffix
     if suffix == ".zarr":
+        from asperity.study.sweep.store import check_store
+
         check_store(out, file)
         return
     check_table_path(out, overwrite=overwrite)

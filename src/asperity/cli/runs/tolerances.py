@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from typing import TYPE_CHECKING
 
 from asperity.cli.joint_input import read_case_of_branches
 from asperity.cli.options import read_option
@@ -10,9 +11,10 @@ from asperity.cli.progress import progress_bar
 from asperity.cli.terminal import about, print_json, show_blocks
 from asperity.errors import InputError
 from asperity.joint_file.quantity_key import parse_distribution
-from asperity.study.tolerances.allowed_deviations import Sharing, allowed_deviations, limits_from_text
 from asperity.unit_table import Dimension
-from asperity.views.tolerances import allowed_sizes
+
+if TYPE_CHECKING:
+    from asperity.study.tolerances.allowed_deviations import Sharing
 
 
 def tolerances(
@@ -32,6 +34,10 @@ def tolerances(
             f"--share: the share of the drives must be at least 50 % and below 100 %, got '{share}'"
         )
     case = read_case_of_branches(file)
+    # what imports JAX, once the file is read
+    from asperity.study.tolerances.allowed_deviations import allowed_deviations, limits_from_text
+    from asperity.views.tolerances import allowed_sizes
+
     with progress_bar("tries") as report, about(file):
         allowed = allowed_deviations(
             case,

@@ -9,11 +9,6 @@ from asperity.cli.progress import progress_bar
 from asperity.cli.study_output import show_bounds, show_status
 from asperity.cli.terminal import about, print_json, save_image, show_blocks
 from asperity.joint_file.quantity_key import parse_distribution
-from asperity.study.tolerances.branch_scatter import branch_scatter
-from asperity.study.tolerances.documents import uncertainty_document
-from asperity.study.tolerances.influence_plot import uncertainty_figure
-from asperity.study.tolerances.uncertainty import uncertainty as propagate
-from asperity.views.tolerances import intervals, unlike_branches, variance_shares
 from asperity.writing import check_image
 
 if TYPE_CHECKING:
@@ -34,6 +29,12 @@ def uncertainty(
     """What ``asperity uncertainty`` does; its options stand in :mod:`asperity.cli.uncertainty`."""
     case = read_case_of_branches(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
+    # what imports JAX, once the file is read
+    from asperity.study.tolerances.documents import uncertainty_document
+    from asperity.study.tolerances.influence_plot import uncertainty_figure
+    from asperity.study.tolerances.uncertainty import uncertainty as propagate
+    from asperity.views.tolerances import intervals, unlike_branches, variance_shares
+
     check_image(plot, file)
     if branches is not None:
         with about(file):
@@ -61,5 +62,7 @@ def uncertainty(
 
 def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
     """Document of drives whose branches are drawn one by one."""
+    from asperity.study.tolerances.branch_scatter import branch_scatter
+
     with progress_bar("drives") as report:
         return branch_scatter(case, distribution=otherwise, draws=draws, seed=seed, report=report).document()
