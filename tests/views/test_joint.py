@@ -41,11 +41,10 @@ def test_the_load_is_in_the_units_of_the_file(paper_view, planetary_view):
     assert "(interference 30 µm), output torque 10 N·m" in load(planetary_view).text
 
 
-def test_one_planet_is_no_plural_and_rows_have_rollers(paper_view, view_of):
-    stated = paper_view.document["input"]
-    one = with_document(paper_view, input=stated | {"drive": stated["drive"] | {"planets": 1.0}})
-    assert load(one).text.startswith("1 planet, sun at")
+def test_sectors_are_counted_by_the_words_of_their_type(paper_view, view_of):
+    assert load(paper_view).text.startswith("3 planets, sun at")
     assert load(view_of("multiroller")).text.startswith("4 rollers in each row, sun at")
+    assert load(view_of("wheel_pair")).text.startswith("driver at")
 
 
 def test_a_joint_at_another_temperature(view_of):
