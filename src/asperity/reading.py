@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from asperity.errors import InputError, quoted
+from asperity.types import Document
 
 #: Largest file that is read as a whole by default [byte]; files of joints and materials have a few thousand.
 LARGEST_FILE = 1_000_000
@@ -112,7 +113,7 @@ def open_text(path: str | Path) -> Iterator[TextIO]:
             raise InputError(f"{path}: this is not a text file in UTF-8") from None
 
 
-def parse_toml(text: str, *, source: str) -> dict[str, Any]:
+def parse_toml(text: str, *, source: str) -> Document:
     """Nested tables of a TOML text from a file called ``source``.
 
     An ``InputError`` if it is not valid TOML, a key has more than :data:`MOST_KEY_PARTS` parts, or it is nested deeper
@@ -148,7 +149,7 @@ def _explained(error: str, text: str) -> str:
     return f"{error}: {written}"
 
 
-def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any]:
+def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> Document:
     """Nested tables of a TOML file; an ``InputError`` as by :func:`read_text` and :func:`parse_toml`."""
     return parse_toml(read_text(path, largest=largest), source=str(path))
 

@@ -12,7 +12,9 @@ else:
 Number: TypeAlias = Any
 #: Numbers in modules, tuples and dictionaries, nested as they may be; or one of them.
 Tree: TypeAlias = Any
+#: Plain data by name: a JSON document, the tables of a joint file, or a part of them.
+Document: TypeAlias = dict[str, Any]
 #: A float or an array of floats of any broadcastable shape; formulas map `Real` to `Real` elementwise.
 Real: TypeAlias = Array | float
 
-__all__ = ["Array", "ArrayLike", "Number", "Real", "Tree"]
+__all__ = ["Array", "ArrayLike", "Document", "Number", "Real", "Tree"]

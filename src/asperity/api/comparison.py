@@ -15,6 +15,7 @@ from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.pin_bound import bounded
 from asperity.joint_file.si_tables import stated_tables
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import quantity
 
@@ -122,7 +123,7 @@ class JointComparison(Shown):
         parts.append(Paragraph(f"{more}{self.same} results are the same."))
         return parts
 
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """All differences in SI units, for JSON; a number that is not known is None."""
 
         def plain(side: NamedQuantity | str | None) -> float | str | None:
@@ -130,7 +131,7 @@ class JointComparison(Shown):
                 return side
             return side.value if side.categories else float(side.si) if math.isfinite(side.si) else None
 
-        def listed(lines: tuple[Difference, ...]) -> list[dict[str, Any]]:
+        def listed(lines: tuple[Difference, ...]) -> list[Document]:
             return [
                 {
                     "name": line.name,

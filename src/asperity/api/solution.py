@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.show.compliance_figure import compliance_figure
 from asperity.show.style import plain_title
+from asperity.types import Document
 from asperity.views.blocks import Block
 from asperity.views.screens import joint_screen
 from asperity.views.solved_view import SolvedView
@@ -98,16 +99,16 @@ class JointSolution(Shown):
         return ["stiffness", *self._table]
 
     @property
-    def limits(self) -> list[dict[str, Any]]:
+    def limits(self) -> list[Document]:
         """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
         return self._of_joint["diagnostics"]
 
     @functools.cached_property
-    def _of_joint(self) -> dict[str, Any]:
+    def _of_joint(self) -> Document:
         return document_of(self._case, self._solved)
 
     @functools.cached_property
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The document that ``asperity joint --json`` prints, in SI units."""
         return full_document(self._case, self._solved)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from asperity.show.dynamics_figure import dynamics_figure
 from asperity.show.style import plain_title
 from asperity.standing.dynamics import Dynamics
 from asperity.standing.dynamics import dynamics as solved_dynamics
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.views.blocks import Block, Heading
 from asperity.views.dynamics import dynamics as dynamics_shown
@@ -29,8 +30,6 @@ from asperity.views.loads import loads as loads_shown
 if TYPE_CHECKING:
     import pandas
     from matplotlib.figure import Figure
-
-Document = dict[str, Any]
 
 
 def loads(joint: DescribedJoint, *, mounting_gap: str | NamedQuantity = "0 um") -> JointLoads:

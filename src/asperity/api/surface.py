@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, displayed, frame
@@ -16,6 +16,7 @@ from asperity.surface.measure_files import MeasuredFiles, files_document, measur
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.surface.measurement import CONFIDENCE
 from asperity.surface.roughness import Roughness
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 from asperity.views.blocks import Block, Paragraph, Table
@@ -106,7 +107,7 @@ def measure_surface(
     NoSolutionError
         If the surface has neither a power law over at least one decade of wavelength nor the points for a spectrum.
     """
-    options: dict[str, Any] = {name: value for name, value in locals().items() if name != "files"}
+    options: Document = {name: value for name, value in locals().items() if name != "files"}
     if not files:
         raise InputError(
             "no file to measure; name at least one, e.g. asperity.measure_surface('profile.csv')"
@@ -165,7 +166,7 @@ class FractalSurface(Shown):
         return self.measured.roughness
 
     @property
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The document that ``asperity surface measure --json`` prints, in SI units."""
         return files_document(self.measured)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from asperity.show.style import plain_title
 from asperity.show.windup_figure import windup_figure
 from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.views.blocks import Block, Heading
 from asperity.views.windup import windup as windup_shown
@@ -120,7 +121,7 @@ class JointWindup(Shown):
     """
 
     def __init__(
-        self, joint: DescribedJoint, curve: Windup, onset: RollingOnset | None, document: dict[str, Any]
+        self, joint: DescribedJoint, curve: Windup, onset: RollingOnset | None, document: Document
     ) -> None:
         self.joint, self.curve, self.onset, self.document = joint, curve, onset, document
         self.level: StiffnessLevel = document["level"]

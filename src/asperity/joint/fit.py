@@ -10,7 +10,7 @@ from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.errors import InputError
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 from asperity.units import format_quantity
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -81,7 +81,7 @@ def refuse_loose(fit: Fit | None) -> None:
     )
 
 
-def fit_document(fit: Fit, preload: Real, loose: float | None) -> dict[str, Any]:
+def fit_document(fit: Fit, preload: Real, loose: float | None) -> Document:
     """How a drive was assembled, for a JSON document; ``loose``: temperature without force at a contact [degC]."""
     return {
         "force_N": float(preload),

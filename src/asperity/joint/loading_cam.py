@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import functools
 from collections.abc import Callable
-from typing import Any
 
 from asperity.drive.state.state import DriveState
 from asperity.drive.state.states import rest_forces
@@ -18,7 +17,7 @@ from asperity.implicit import SETTLED, settled_root
 from asperity.joint.assembled import Pressed, pressed_around
 from asperity.joint.description import Joint
 from asperity.joint.machine import JointMachine
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 
 
 class CamOfJoint(Module):
@@ -114,7 +113,7 @@ def turned_cam(machine: JointMachine, without_torque: DriveState, pressed: Drive
         return _by_force(machine, without_torque, preload, pressed).rest.interference
 
     _, softness = value_and_slope(interference, (preload,), (xp.ones_like(preload),))
-    common: dict[str, Any] = {
+    common: Document = {
         "branches": joint.drive.sectors,
         "rest_force": pressed.normal,
         "preload": preload,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from asperity.surface.measured_roughness import (
     two_bodies,
 )
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement
+from asperity.types import Document
 from asperity.units import format_quantity
 
 #: Draws of (D, ln G); the ends of a 95 % interval then scatter by about 3 % of its width.
@@ -49,7 +49,7 @@ def measured_surface(paths: tuple[str | Path, ...], of: str | None = None) -> Me
     return two_bodies(*measured)
 
 
-def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
+def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> Document:
     """Intervals of output stiffness and drift of one joint from the uncertainty of the measured D and G.
 
     The (D, ln G) of the measurement are drawn together from their normal law. As

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from asperity.engine.arrays import is_of_jax
 from asperity.joint.bores import pins_bend
 from asperity.joint.description import Joint
+from asperity.types import Document
 
 #: What is said beside every stiffness, frequency and K1 to K3 of a joint whose pins do not give way.
 RIGID_PINS = "upper bound: pins rigid"
@@ -27,7 +26,7 @@ def stiffness_bound(joint: Joint) -> str:
     return RIGID_PINS if pins_rigid(joint) else ""
 
 
-def bound_document(joint: Joint) -> dict[str, Any]:
+def bound_document(joint: Joint) -> Document:
     """The bound of a joint's stiffness for JSON: a flag for machines, words for people, None where there is none."""
     return {"pins_rigid": pins_rigid(joint), "stiffness_bound": stiffness_bound(joint) or None}
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import joint_state
 from asperity.library.tolerance_grades import LARGEST_SIZE, standard_tolerances
+from asperity.types import Document
 from asperity.units import format_quantity
 
 #: The closest fit of ISO 286 in which a pin may turn, and the grades of its bore and pin.
@@ -32,7 +32,7 @@ def largest_clearance(diameter: float) -> float:
     return 0.5 * sum(widths[grade] for grade in _GRADES)
 
 
-def clearance_interval(joint: Joint, result: JointResult) -> dict[str, Any] | None:
+def clearance_interval(joint: Joint, result: JointResult) -> Document | None:
     """Ends of the assembled stiffness of one joint between no clearance and the largest of a close fit.
 
     None where no pin presses in a bore, its clearance is stated, or no fit is known for its size; both ends are None
@@ -44,7 +44,7 @@ def clearance_interval(joint: Joint, result: JointResult) -> dict[str, Any] | No
     if diameter > LARGEST_SIZE:
         return None
     most = largest_clearance(diameter)
-    clearances: list[dict[str, Any]] = [{"pin_clearance": np.asarray(share * most)} for share in _SHARES]
+    clearances: list[Document] = [{"pin_clearance": np.asarray(share * most)} for share in _SHARES]
     results = [result, *(joint_state(dataclasses.replace(joint, **change)) for change in clearances)]
     values = [float(each.assembly.stiffness.output) for each in results if bool(each.solved)]
     known = len(values) == len(results) and all(math.isfinite(value) for value in values)

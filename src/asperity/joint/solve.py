@@ -27,6 +27,7 @@ from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
+from asperity.types import Document
 from asperity.units import format_apart, format_quantity
 
 _TRIES = 12  # of a preload that carries a torque
@@ -255,7 +256,7 @@ def _next_size(tried: list[tuple[float, float]], torque: float) -> float:
 
 def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
     """The same joint with another preload [N] or interference [m], of unlike sectors with the forces that it makes."""
-    changes: dict[str, Any] = {key: np.asarray(size)}
+    changes: Document = {key: np.asarray(size)}
     if joint.fit is not None:
         scaled: Any = joint.fit.interference * (size / np.asarray(joint.interference))
         changes["fit"] = dataclasses.replace(joint.fit, interference=scaled)

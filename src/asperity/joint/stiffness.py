@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from asperity.drive.layout.drive import Drive, speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
@@ -23,7 +23,7 @@ from asperity.joint.body_compliance import body_compliance, walls_known
 from asperity.joint.bores import PinLoads, pin_forces, pressed_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
 from asperity.joint.machine import JointMachine
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 
 #: Half-width over effective radius that stands for an open contact, whose springs are left out.
 _CLOSED = 1e-3
@@ -198,7 +198,7 @@ def _springs_of_assembly(
     sliding_friction: Array,
     pins: PinLoads,
     added: Array | None,
-) -> dict[str, Any]:
+) -> Document:
     """Springs of the assembly, as arguments of :func:`asperity.drive.stiffness.network.network_stiffness`.
 
     ``added``, the tangential forces under a unit torque with centres held [N], are found where they are not known.

@@ -14,6 +14,7 @@ from asperity.engine.control import entries, stacked, vectorised
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.solve import joint_state
+from asperity.types import Document
 
 #: So many surfaces are computed one after the other, 0.1 to 0.5 s each; a program for them compiles for 7 to 40 s.
 _FEW = 50
@@ -42,7 +43,7 @@ def _of_many(joint: Joint, surfaces: tuple[ContactLaw, ...]) -> JointResult:
 
 def result_ends(
     result: JointResult, *, shape: tuple[int, ...], percentiles: tuple[float, float], least_usable: float
-) -> dict[str, Any]:
+) -> Document:
     """Lower and upper end of the stiffness at every level of the model, and of the drift, over a batch of surfaces.
 
     ``percentiles`` are the ends, 0 and 100 for the smallest and the largest value; ``least_usable``, the share of the

@@ -19,7 +19,7 @@ from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.solve import Solution
 from asperity.joint.temperature_limits import TemperatureLimit
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 
 
 def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
@@ -83,7 +83,7 @@ def at_temperature(joint: Joint, temperature: float) -> Joint:
 
 def assembly_document(
     joint: Joint, at_assembly: Solution | None, limits: tuple[TemperatureLimit, ...]
-) -> dict[str, Any] | None:
+) -> Document | None:
     """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
 
     ``limits`` are those of :func:`asperity.joint.temperature_limits.temperature_limits`.

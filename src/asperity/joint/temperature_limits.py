@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from asperity.joint.description import Joint
 from asperity.joint.fit import HOTTEST, loose_temperature
 from asperity.joint.housing import loosening_temperatures, seated
+from asperity.types import Document
 from asperity.units import format_quantity
 
 _COLDEST = -273.15
@@ -146,7 +147,7 @@ def _first(holds: Callable[[float], bool], start: float, end: float) -> float | 
     return start
 
 
-def limits_document(limits: tuple[TemperatureLimit, ...]) -> list[dict[str, Any]]:
+def limits_document(limits: tuple[TemperatureLimit, ...]) -> list[Document]:
     """The limits for a JSON document, on each side the first one first."""
     return [
         {
@@ -167,7 +168,7 @@ _WORDS = {
 }
 
 
-def limit_words(entries: list[dict[str, Any]]) -> list[str]:
+def limit_words(entries: list[Document]) -> list[str]:
     """What a joint is beyond the first limit on each side, of :func:`limits_document`, in words.
 
     Examples
@@ -182,6 +183,6 @@ def limit_words(entries: list[dict[str, Any]]) -> list[str]:
     ]
 
 
-def lost_words(entry: dict[str, Any]) -> str:
+def lost_words(entry: Document) -> str:
     """What is lost at a limit of :func:`limits_document`, in words."""
     return _WORDS[entry["lost"]].format(part=(entry["part"] or "").replace("_", " "))

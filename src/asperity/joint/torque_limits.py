@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from asperity.drive.state.first_limit import FirstLimit
 from asperity.engine.arrays import entry_of
 from asperity.engine.module import Module
-from asperity.types import Array
+from asperity.types import Array, Document
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
@@ -96,11 +95,11 @@ def kind_words(kind: str, contact: str) -> str:
 
 def capacity_document(
     capacity: TorqueCapacity, *, contacts: tuple[str, ...], first_slip: TorqueCapacity | None = None
-) -> dict[str, Any]:
+) -> Document:
     """The capacity of one joint in one direction as a part of a JSON document [N·m]."""
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
     at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
-    document: dict[str, Any] = {
+    document: Document = {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
         "limiting_contact": contacts[contact] if contact < len(contacts) else None,
@@ -116,7 +115,7 @@ def capacity_document(
     return document
 
 
-def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
+def may_carry_more(both: Document, torque: float | None) -> bool:
     """Whether a capacity in rolling [N·m] is the lower bound of that standing, at which only what is computed ends."""
     bounds = [
         capacity["output_torque_Nm"] for capacity in (both, both["reverse"]) if capacity.get("is_lower_bound")
@@ -124,7 +123,7 @@ def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
     return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
 
 
-def first_slip_words(both: dict[str, Any]) -> list[str]:
+def first_slip_words(both: Document) -> list[str]:
     """Where a contact slides while others carry the rest; none where the first slip is the capacity."""
     early = [
         (entry["first_slip"]["contact"], format_quantity(entry["first_slip"]["output_torque_Nm"], "N*m"))
@@ -142,7 +141,7 @@ def first_slip_words(both: dict[str, Any]) -> list[str]:
     return [f"{torque} at {contact}{way}; others carry the rest"]
 
 
-def standing_words(standing: dict[str, Any]) -> str:
+def standing_words(standing: Document) -> str:
     """Up to which torque one joint stands, whatever damage it does: of one direction of its document; or nothing.
 
     For a line behind the torque capacity itself, which may be less.

@@ -43,7 +43,7 @@ from asperity.joint_file.section_build import (
 )
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import Material
-from asperity.types import Array
+from asperity.types import Array, Document
 
 _SIDES = ("first_radius", "second_radius")
 
@@ -166,7 +166,7 @@ def _bearings(kind: DriveType, entry: Values | None) -> Bearings | None:
     """Friction of the bearings; None for none."""
     if entry is None:
         return None
-    stated: dict[str, Any] = _called(kind, entry)
+    stated: Document = _called(kind, entry)
     stated.setdefault("pin_friction_diameter", stated.get("pin_diameter", 0.0))
     return Bearings(**{name: stated.get(name, 0.0) for name in Bearings.number_fields})
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 from asperity.contact.laws.law import ContactLaw
 from asperity.contact.laws.registry import LAWS
@@ -16,6 +15,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import surface_entries
 from asperity.joint_file.material_entries import ContactLawName, served_laws
 from asperity.joint_file.model import Case
+from asperity.types import Document
 
 
 def with_law(case: Case, law: ContactLawName) -> Case:
@@ -23,7 +23,7 @@ def with_law(case: Case, law: ContactLawName) -> Case:
     return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
 
 
-def laws_of_file(case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
+def laws_of_file(case: Case, joint: Joint, result: JointResult) -> list[Document]:
     """The joint of a file by every law that its surfaces allow, as :func:`laws_side_by_side`.
 
     Those of a decay length differ in where it is from, not in what they make of the one that a file states.
@@ -44,7 +44,7 @@ def laws_side_by_side(
     *,
     used: ContactLawName,
     surfaces: dict[ContactLawName, tuple[ContactLaw, ...]],
-) -> list[dict[str, Any]]:
+) -> list[Document]:
     """Assembled stiffness at the output and drift of a solved joint by several laws.
 
     ``used`` is the law of the joint, ``surfaces``: law → those of all contacts or of each. One entry a law; its numbers

@@ -28,7 +28,7 @@ from asperity.joint_file.quantity_key import Key
 from asperity.made_files import table_where
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
-from asperity.types import Array
+from asperity.types import Array, Document
 from asperity.unit_table import Dimension
 from asperity.units import from_si
 from asperity.writing import check_file, replacing
@@ -212,11 +212,11 @@ def _chunks(
         yield lines, cells
 
 
-def _columns(cells: list[list[str]], lines: list[int], header: list[str], source: str) -> dict[str, Any]:
+def _columns(cells: list[list[str]], lines: list[int], header: list[str], source: str) -> Document:
     """Numbers of the input columns as they are written, checked; the model as its index."""
     by_name = {name: index for index, name in enumerate(header)}
     errors: list[tuple[int, str]] = []
-    columns: dict[str, Any] = {}
+    columns: Document = {}
     for name, key in INPUT_COLUMNS.items():
         written = [row[by_name[name]] for row in cells]
         columns[name] = _numbers(written, name, key, lines, errors)
@@ -283,7 +283,7 @@ def _evaluated(
     columns: dict[str, np.ndarray], frequency_ratio: float, asperity_base: AsperityBase
 ) -> dict[str, np.ndarray]:
     """Results of some rows in the units of their columns."""
-    si: dict[str, Any] = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
+    si: Document = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
     surface = Zou2025(si["D"], si["G_mm"], xp.full(si["D"].size, frequency_ratio), asperity_base)
     contacts = at_once(_contacts, si, surface, columns[MODEL_COLUMN])
     return {

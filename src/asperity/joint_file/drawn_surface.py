@@ -20,6 +20,7 @@ from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section_build import rms_height_of_average, surface_of
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
+from asperity.types import Document
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def surface_entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
         yield from ((f"surface.{name}", entry) for name, entry in dict(case.surface).items())
 
 
-def drawn_interval(case: Case) -> dict[str, Any] | None:
+def drawn_interval(case: Case) -> Document | None:
     """Intervals of stiffness and drift over what the Ra of a drawing leaves open.
 
     As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place of
@@ -66,7 +67,7 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     if not entries:
         return None
     across, along = np.meshgrid(np.linspace(-1.0, 1.0, DIMENSIONS), np.linspace(-1.0, 1.0, AVERAGES))
-    changes: dict[str, Any] = {}
+    changes: Document = {}
     surfaces = {}
     for path, entry in entries.items():
         average, stated = entry.roughness_average, entry.fractal_dimension
@@ -127,7 +128,7 @@ def _ends_of_heights(case: Case) -> Ends:
 
 def interval_of_heights(
     case: Case, heights: Ends, ratios: Ends, form: dict[str, float] | None = None
-) -> dict[str, Any]:
+) -> Document:
     """Intervals of stiffness and drift by a law of heights or of a decay length, from its error and the heights' own.
 
     ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
@@ -186,7 +187,7 @@ def interval_of_heights(
     }
 
 
-def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> dict[str, Any]:
+def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> Document:
     """Ends of K_n and K_t of the asperities of each contact [N/m], by both errors and by each alone."""
     stiffness = {
         "normal": np.asarray(result.contacts.normal_stiffness),
@@ -204,14 +205,14 @@ def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> dict[str, Any
     }
 
 
-def _ends_in_words(interval: dict[str, Any]) -> str:
+def _ends_in_words(interval: Document) -> str:
     low, high = (interval["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high"))
     if low is None:
         return "no value"
     return " to ".join(f"{end:.4g}" if end < 9999.5 else f"{end:.0f}" for end in (low, high)) + " N·m/rad"
 
 
-def _words(interval: dict[str, Any]) -> str:
+def _words(interval: Document) -> str:
     """The ranges of D and Ra over which an interval is taken."""
     told = []
     for path, entry in interval["surfaces"].items():

@@ -35,6 +35,7 @@ from asperity.joint_file.si_tables import (
     si_values,
     table_structure,
 )
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import from_si, parse_quantity
 
@@ -152,7 +153,7 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
     return tomlkit.dumps(document)
 
 
-def _surface_of(case: Case) -> dict[str, Any]:
+def _surface_of(case: Case) -> Document:
     """The section of a surface that files have measured, with their complete names: any folder can have the text."""
     files = case.measured.files if case.measured else ()
     if not files:

@@ -12,6 +12,7 @@ from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH
 from asperity.library import FREQUENCY_RATIO, Finish, read_finishes
 from asperity.surface.roughness_average import average_from_depth, depth_cut_off, standard_cut_off
+from asperity.types import Document
 from asperity.units import format_quantity
 
 _PEAK_TO_VALLEY = ("rmax", "rt", "maximum_height")
@@ -22,7 +23,7 @@ _MEANT = {"ra": _AVERAGE, "rz": DEPTH, "roughness_ra": _AVERAGE, "roughness_rz":
 _MEANT |= dict.fromkeys(("rq", "sq"), "rms_height")
 
 
-def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
+def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[Document, dict[str, str]]:
     """The tables of a joint file in which a surface with a finish states its D, and one with an Rz its Ra."""
     surface = tables.get("surface")
     refused: dict[str, str] = {}
@@ -59,7 +60,7 @@ def dimension_text(*finishes: Finish) -> str:
     return f"{middle:.10g} +- {half:.10g}, uniform" if half > 0.0 else f"{middle:.10g}"
 
 
-def _entries(surface: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+def _entries(surface: Document) -> Iterator[tuple[str, Document]]:
     """The tables of surfaces, one for all contacts or one for each, with their paths."""
     named = [name for name, entry in surface.items() if isinstance(entry, dict)]
     if named:
@@ -68,7 +69,7 @@ def _entries(surface: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
         yield "surface", surface
 
 
-def _filled_entry(entry: dict[str, Any]) -> dict[str, Any]:
+def _filled_entry(entry: Document) -> Document:
     for key in entry:
         plain = key.lower()
         if plain in _PEAK_TO_VALLEY:
@@ -91,7 +92,7 @@ def _filled_entry(entry: dict[str, Any]) -> dict[str, Any]:
     return _with_averages({**added, **entry})
 
 
-def _with_averages(entry: dict[str, Any]) -> dict[str, Any]:
+def _with_averages(entry: Document) -> Document:
     """A surface with the Ra that its Rz means, and that of its partner."""
     if DEPTH in entry:
         depth = _read(entry, DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
@@ -115,12 +116,12 @@ def _with_averages(entry: dict[str, Any]) -> dict[str, Any]:
     return _with_average(filled, PARTNER_DEPTH, depth, _cut_off(entry, standard))
 
 
-def _cut_off(entry: dict[str, Any], standard: float) -> float:
+def _cut_off(entry: Document, standard: float) -> float:
     """The cut-off that a surface states, or else the standard one [m]."""
     return _read(entry, "cut_off", limits.CUT_OFF).value if "cut_off" in entry else standard
 
 
-def _with_average(entry: dict[str, Any], key: str, depth: Quantity, cut_off: float) -> dict[str, Any]:
+def _with_average(entry: Document, key: str, depth: Quantity, cut_off: float) -> Document:
     """A surface with the Ra that one Rz means."""
     dimension = _read(entry, "fractal_dimension", limits.FRACTAL_DIMENSION)
     if depth.distribution and depth.distribution.kind != "uniform":
@@ -158,7 +159,7 @@ def _with_average(entry: dict[str, Any], key: str, depth: Quantity, cut_off: flo
     return {**entry, **made}
 
 
-def _read(entry: dict[str, Any], name: str, key: Key) -> Quantity:
+def _read(entry: Document, name: str, key: Key) -> Quantity:
     try:
         return key.read(entry[name])
     except InputError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, create_model
 
@@ -10,6 +10,7 @@ from asperity.contact.laws.law import ContactLaw, SurfaceKey, file_of
 from asperity.contact.laws.registry import LAWS
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.section import Section
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import unit_exponents
 
@@ -29,9 +30,9 @@ def _key(law: type[ContactLaw], stated: SurfaceKey) -> Key:
     return Key(dimension, stated.lower, stated.upper, stated.unit, example=stated.example)
 
 
-def _fields() -> dict[str, Any]:
+def _fields() -> Document:
     """Fields of all keys that laws state."""
-    fields: dict[str, Any] = {}
+    fields: Document = {}
     for law in LAWS.values():
         for stated in law.keys:
             if stated.name in fields:

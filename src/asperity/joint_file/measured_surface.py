@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from contextlib import suppress
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from asperity.contact.felt_contacts import FeltContacts, form_lengths
 from asperity.contact.laws.law import ContactLaw
@@ -24,6 +24,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.section_build import surface_of
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
+from asperity.types import Document
 
 _NORMAL_95 = 1.959963984540054
 
@@ -57,14 +58,14 @@ class MeasuredSurface(NamedTuple):
         """The document of the measurement."""
         return json.dumps(roughness_document(self.measured))
 
-    def document(self, case: Case, joint: Joint) -> dict[str, Any]:
+    def document(self, case: Case, joint: Joint) -> Document:
         """What the measurement adds to the document of the solved joint."""
         return {
             "measured_surface": roughness_document(self.measured),
             "stiffness_interval": self.interval(case, joint),
         }
 
-    def laws(self, case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
+    def laws(self, case: Case, joint: Joint, result: JointResult) -> list[Document]:
         """The solved joint by every law that the measurement serves, as :func:`laws_side_by_side`."""
         used, contacts = case.contact_law(), self.contacts
         surfaces = {used: joint.surfaces}
@@ -97,7 +98,7 @@ class MeasuredSurface(NamedTuple):
             surfaces.append(surface_of(entry, asperity_base=case.model.asperity_base, contact_law=law.name))
         return tuple(surfaces)
 
-    def interval(self, case: Case, joint: Joint) -> dict[str, Any]:
+    def interval(self, case: Case, joint: Joint) -> Document:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None and self.ratios is not None:
             return interval_of_heights(case, self.heights, self.ratios, self.form)

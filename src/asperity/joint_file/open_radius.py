@@ -17,6 +17,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import OpenRadius
 from asperity.joint_file.model import Case
 from asperity.joint_file.section import keys_by_path, models_of
+from asperity.types import Document
 from asperity.units import format_quantity
 
 _PLACES = 4000
@@ -31,7 +32,7 @@ def radii_of(model: type[Case]) -> tuple[str, ...]:
 
 def fill_in_radius(
     tables: Mapping[str, Any], model: type[Case]
-) -> tuple[dict[str, Any], dict[str, str], OpenRadius | None]:
+) -> tuple[Document, dict[str, str], OpenRadius | None]:
     """The tables of a joint file with the radius that its ``drive.ratio`` means, without that key; what is refused."""
     drive, radii = tables.get("drive"), radii_of(model)
     if not radii or not isinstance(drive, Mapping) or "ratio" not in drive:
@@ -58,10 +59,10 @@ def fill_in_radius(
     return {**tables, "drive": without | filled}, refused, found
 
 
-def _sizes(drive: Mapping[str, Any], model: type[Case]) -> dict[str, Any] | None:
+def _sizes(drive: Mapping[str, Any], model: type[Case]) -> Document | None:
     """The numbers and words of a section [drive] in SI units; None where one that it needs cannot be read."""
     known = {path.removeprefix("drive."): key for path, key in keys_by_path(model).items()}
-    sizes: dict[str, Any] = {}
+    sizes: Document = {}
     for name, value in drive.items():
         if name in known:
             try:

@@ -9,6 +9,7 @@ from typing import Any
 from asperity.drive.layout.drive_type import SIDES, DriveType
 from asperity.drive.types import DEFAULT_TYPE, FORMER_NAMES, TYPES
 from asperity.drive.types.listed import track_of
+from asperity.types import Document
 
 #: Name of the housing in [bodies].
 HOUSING = "housing"
@@ -62,7 +63,7 @@ def size_keys(tables: Mapping[str, Any]) -> set[str]:
     }
 
 
-def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
+def with_tracks(tables: Document) -> Document:
     """Tables in SI units whose contacts name what belongs to the structure of the drive, so that numbers may vary.
 
     The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth values

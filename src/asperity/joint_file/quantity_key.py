@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from asperity.errors import InputError
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, from_si, parse_quantity, parse_tolerance
 
@@ -112,9 +113,7 @@ class Key:
 
         return core_schema.no_info_plain_validator_function(self.read)
 
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Document:
         """Describe the key to editors: text with a unit, or a plain number if dimensionless."""
         text = {"type": "string", "examples": [self.typical]}
         if self.dimension is not Dimension.DIMENSIONLESS:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from pydantic import ValidationError
 
@@ -18,6 +17,7 @@ from asperity.joint_file.open_radius import fill_in_radius, refuse_output_speed
 from asperity.library import fill_in_materials
 from asperity.precision import note_once, use_compilation_cache, use_double_precision
 from asperity.reading import parse_toml, read_text
+from asperity.types import Document
 
 
 def read_case(path: str | Path, *, measured: bool = True) -> Case:
@@ -60,7 +60,7 @@ def _measured(case: Case, surface: SurfaceEntry, source: str, folder: Path) -> C
         raise type(error)(f"{source}: {error}", options=error.options) from None
 
 
-def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
+def case_from_tables(tables: Document, *, source: str, folder: Path | None = None) -> Case:
     """Check the nested tables of a joint file; a measured surface stays the name of its file."""
     tables = _with_the_name_of_now(tables)
     model = _model_of(tables.get("type", DEFAULT_TYPE), source)
@@ -83,7 +83,7 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     raise InputError(f"{source}: {listed(sentences, more=more)}")
 
 
-def _with_the_name_of_now(tables: dict[str, Any]) -> dict[str, Any]:
+def _with_the_name_of_now(tables: Document) -> Document:
     """The tables of a joint file, a former name of its type replaced by the one of now, which is said once."""
     former = tables.get("type")
     if not isinstance(former, str) or former not in FORMER_NAMES:

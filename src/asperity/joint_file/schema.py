@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.law_keys import LAW_OF_KEY
@@ -12,8 +10,9 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.section import models_of
 from asperity.library import read_finishes, read_materials
+from asperity.types import Document
 
-Schema = dict[str, Any]
+Schema = Document
 
 
 def joint_schema(kind: str = DEFAULT_TYPE) -> Schema:

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, PrivateAttr
 from pydantic_core import CoreSchema
 
 from asperity.joint_file.quantity_key import Entered, Key
+from asperity.types import Document
 
 #: Marks in pydantic's error locations that are no keys of the file.
 ONE_FOR_ALL, ONE_FOR_EACH = "<one for all>", "<one for each>"
@@ -28,9 +29,7 @@ class Section(BaseModel):
     stated_meanings: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
-    def __get_pydantic_json_schema__(
-        cls, core_schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(cls, core_schema: CoreSchema, handler: GetJsonSchemaHandler) -> Document:
         """The JSON schema with the meaning of each key, which pydantic does not read."""
         schema = handler(core_schema)
         for name, entry in handler.resolve_ref_schema(schema)["properties"].items():

@@ -25,9 +25,10 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Distribution, Key, Quantity
 from asperity.joint_file.section import Section, keys_by_path, leaves
+from asperity.types import Document
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
-Values = dict[str, Any]
+Values = Document
 #: The Rz of a surface, and of its partner, texts beside the Ra that the reader makes of them.
 DEPTH, PARTNER_DEPTH = "mean_roughness_depth", "partner_mean_roughness_depth"
 #: Key of tables whose surfaces are measured: the document of the measurement as text, which is none of their numbers.

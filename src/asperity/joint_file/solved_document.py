@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from asperity.joint.pin_interval import clearance_interval
 from asperity.joint.solve import solve_joint
@@ -15,13 +15,14 @@ from asperity.joint_file.part_names import body_key
 from asperity.joint_file.si_tables import AnyCase, si_values, without_measurement
 from asperity.results.document import joint_document
 from asperity.results.solved import SolvedJoint, solved_with_capacities
+from asperity.types import Document
 
 
 class SolvedCase(NamedTuple):
     """A joint file, solved by :func:`solved_case`, and all of it as plain data in SI units."""
 
     solved: SolvedJoint
-    document: dict[str, Any]
+    document: Document
 
 
 def solve_case(case: AnyCase) -> SolvedCase:
@@ -30,7 +31,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
     return SolvedCase(solved, document_of(case, solved))
 
 
-def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
+def document_of(case: AnyCase, solved: SolvedJoint) -> Document:
     """The document of a joint file that is solved already."""
     joint = solved.joint if solved.branches is None else solved.branches.equal
     return joint_document(
@@ -61,7 +62,7 @@ def solve_with_surface(case: AnyCase) -> SolvedCase:
     return SolvedCase(solved, full_document(case, solved))
 
 
-def full_document(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
+def full_document(case: AnyCase, solved: SolvedJoint) -> Document:
     """The document of a joint file that is solved already, with what is open of its surfaces and pins.
 
     Beside :func:`document_of` the ``measured_surface``, if there is one, the ``stiffness_interval`` over what is open,

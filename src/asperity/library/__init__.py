@@ -17,6 +17,7 @@ from typing import Any
 from asperity.errors import InputError, quoted
 from asperity.reading import read_toml
 from asperity.surface.roughness_average import fractal_roughness_from_average
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -63,7 +64,7 @@ class LibraryMaterial:
     description: str
     reference: str
     note: str
-    numbers: dict[str, Any]
+    numbers: Document
     also: tuple[str, ...]
 
 
@@ -98,13 +99,13 @@ class Finish:
 
 
 @functools.cache
-def _built_in(name: str) -> dict[str, dict[str, Any]]:
+def _built_in(name: str) -> dict[str, Document]:
     from importlib.resources import files
 
     return tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
 
 
-def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]]:
+def _tables(name: str, extension: str | Path | None) -> dict[str, Document]:
     tables = copy.deepcopy(_built_in(name))
     if extension is not None:
         added = read_toml(extension)
@@ -270,7 +271,7 @@ def _finishes(extension: str | Path | None) -> dict[str, Finish]:
     return finishes
 
 
-def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[str, Any], dict[str, str]]:
+def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[Document, dict[str, str]]:
     """The tables of a joint file with names of library materials replaced by their numbers, and what was refused.
 
     ``materials.NAME = {library = "52100"}`` refers to an entry, further keys replace single values, ``file =
@@ -300,7 +301,7 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
     return ({**tables, "materials": filled, "bodies": named} if filled else dict(tables)), refused
 
 
-def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
+def _from_library(entry: Document, folder: Path) -> Document:
     stated = {key: value for key, value in entry.items() if key not in ("library", "file")}
     for key in ("library", "file"):
         if not isinstance(entry.get(key, ""), str):

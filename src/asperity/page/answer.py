@@ -29,11 +29,12 @@ from asperity.rolling.curves import creep_curves
 from asperity.show.free_bodies import BodyForce, body_forces, drawn_apart
 from asperity.standing.standing import torque_curves
 from asperity.standing.windup import windup
+from asperity.types import Document
 from asperity.units import from_si
 from asperity.views.screens import page_views
 from asperity.views.solved_view import SolvedView
 
-Answer = dict[str, Any]
+Answer = Document
 
 #: Even steps of the wind-up in each direction: half as many as elsewhere, so that the page answers sooner.
 _WINDUP_STEPS = 20
@@ -140,7 +141,7 @@ def _windup(solved: SolvedJoint) -> Answer:
     }
 
 
-def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
+def drive_shapes(joint: Joint, result: JointResult) -> Document:
     """Circles of a drive, and the contact forces of its first sector."""
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
@@ -177,7 +178,7 @@ def _bore(joint: Joint, number: int) -> list[float]:
     return [] if bore is None else [0.5 * float(bore)]
 
 
-def _contact_forces(joint: Joint, forces: list[BodyForce]) -> list[dict[str, Any]]:
+def _contact_forces(joint: Joint, forces: list[BodyForce]) -> list[Document]:
     """The forces of each contact on its first body, where they act."""
     centres = np.asarray(joint.drive.centres)
     acting = {(force.name, force.kind, force.body): force for force in forces}
@@ -198,7 +199,7 @@ def _contact_forces(joint: Joint, forces: list[BodyForce]) -> list[dict[str, Any
     return entries
 
 
-def _free_body(joint: Joint, number: int, forces: list[BodyForce]) -> dict[str, Any]:
+def _free_body(joint: Joint, number: int, forces: list[BodyForce]) -> Document:
     """One roller with the forces on it: its tracks and bore, and where around its axis each force acts."""
     body = joint.drive.bodies[number].name
     return {

@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from asperity.types import Document
 from asperity.views import blocks
 
 Number = float | None
-Document = dict[str, Any]
 
 #: What can be downloaded of a joint, and its type: joint file, JSON document, report.
 DOWNLOADS = {

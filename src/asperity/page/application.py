@@ -32,6 +32,7 @@ from asperity.page.upload import LARGEST_SURFACE, Measurements
 from asperity.page.work_routes import work_routes
 from asperity.report.joint_report import ReportSource, joint_report
 from asperity.report.pdf import report_pdf, require_typst
+from asperity.types import Document
 from asperity.views.html import report_html
 
 #: Address → file of the package and its type. Nothing else can be read, whatever a request says.
@@ -81,7 +82,7 @@ def application(
         "start": {"name": start.name, "toml": start.text, "surfaces": start.surfaces, **stated},
     }
 
-    def answered(request: JointRequest) -> dict[str, Any]:
+    def answered(request: JointRequest) -> Document:
         answer = kept.get(request.identity)
         if answer is None:
             answer = request, joint_answer(request)
@@ -197,7 +198,7 @@ async def _failed(request: Request, error: Exception) -> Response:
     return refusal(500, "the server failed; its terminal says why", "failed")
 
 
-def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> bytes:
+def _downloaded(kind: str, asked: JointRequest, document: Document) -> bytes:
     if kind == "json":
         return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
     if kind == "toml":

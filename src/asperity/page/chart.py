@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from asperity.page.requests import MOST_POINTS, AskedChart, ChartRequest, checke
 from asperity.results import Result, known_result, row_name
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import Axis, ListedAxis, check_axes
+from asperity.types import Document
 from asperity.units import format_quantity, from_si, parse_quantity
 
 #: Points of one call of the compiled program, which therefore serves charts of any number of points.
@@ -43,7 +44,7 @@ def result_rows(table: Mapping[str, Result]) -> dict[str, tuple[Result, int]]:
     }
 
 
-def chart_results(joint: JointRequest) -> list[dict[str, Any]]:
+def chart_results(joint: JointRequest) -> list[Document]:
     """What charts of a joint can show, for the lists of the page."""
     return [
         {
@@ -73,7 +74,7 @@ def chart_request(body: object) -> JointChart:
     return JointChart(asked_joint(request), request.chart)
 
 
-def chart_answer(request: JointChart) -> dict[str, Any]:
+def chart_answer(request: JointChart) -> Document:
     """The curves of a chart."""
     asked, family = request.chart, request.chart.family
     case = request.joint.solved_case()

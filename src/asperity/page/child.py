@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from asperity.errors import AsperityError, InputError, NoSolutionError
+from asperity.types import Document
 
 LONGEST_FILE_NAME = 80
 #: Largest answer of a process [byte].
@@ -53,7 +54,7 @@ class Child:
 
     def run(
         self, *, report: Callable[[int, int], Any] | None = None, longest: float | None = None
-    ) -> dict[str, Any]:
+    ) -> Document:
         """Run it and wait for its document.
 
         ``report`` is called with what is done and with all that is to be done; after ``longest`` [s] it is ended.
@@ -106,9 +107,7 @@ class Child:
             pass
         return self._process
 
-    def _answer(
-        self, process: subprocess.Popen[bytes], report: Callable[[int, int], Any] | None
-    ) -> dict[str, Any]:
+    def _answer(self, process: subprocess.Popen[bytes], report: Callable[[int, int], Any] | None) -> Document:
         assert process.stdout is not None
         while line := process.stdout.readline(LARGEST_ANSWER):
             answer = json.loads(line)

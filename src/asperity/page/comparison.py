@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from asperity.api.comparison import compare
 from asperity.api.joint import DescribedJoint
 from asperity.page.joint_request import JointRequest, asked_joint
 from asperity.page.requests import CompareRequest, checked
+from asperity.types import Document
 from asperity.views.blocks import Block, BlockDocument, Paragraph, block_documents
 
 
@@ -17,7 +16,7 @@ def comparison_request(body: object) -> list[JointRequest]:
     return [asked_joint(request.one), asked_joint(request.other)]
 
 
-def comparison_answer(one: JointRequest, other: JointRequest) -> dict[str, Any]:
+def comparison_answer(one: JointRequest, other: JointRequest) -> Document:
     """What differs: ``parts``, texts and tables with the main results, ``all_parts``, and the ``document``."""
     names = one.name, other.name if other.name != one.name else f"{other.name}, second file"
     joints = dict(zip(names, (one, other), strict=True))

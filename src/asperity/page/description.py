@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import re
-from typing import Any
 
 from pydantic import BaseModel
 
@@ -16,6 +15,7 @@ from asperity.joint_file.part_names import HOUSING, contacts_of
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
+from asperity.types import Document
 from asperity.units import Dimension, from_si, parse_quantity
 
 #: Section of a joint file → heading of its group, in the order of the page.
@@ -44,7 +44,7 @@ HEADINGS = {
 }
 
 
-def description() -> dict[str, Any]:
+def description() -> Document:
     """What can be set on the page."""
     return {
         "asperity_version": asperity.__version__,
@@ -70,13 +70,13 @@ def description() -> dict[str, Any]:
     }
 
 
-def _units(dimension: Dimension) -> list[dict[str, Any]]:
+def _units(dimension: Dimension) -> list[Document]:
     """The units offered for a quantity, from the smallest: how many make an SI unit, and where they begin [SI]."""
     units = [(from_si(1.0, unit), unit, parse_quantity(f"0 {unit}", dimension)) for unit in dimension.units]
     return [{"per_si": one, "unit": unit, "zero": zero} for one, unit, zero in sorted(units, reverse=True)]
 
 
-def form_of(case: Case) -> dict[str, Any]:
+def form_of(case: Case) -> Document:
     """What can be set in one joint file."""
     return {
         **_form(type(case), tuple(choices_of_case(case).items())),
@@ -85,7 +85,7 @@ def form_of(case: Case) -> dict[str, Any]:
 
 
 @functools.lru_cache(maxsize=8)
-def _form(case_type: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
+def _form(case_type: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> Document:
     groups = [
         {"name": name, "heading": heading, "parameters": _parameters(case_type, name)}
         for name, heading in HEADINGS.items()
@@ -94,7 +94,7 @@ def _form(case_type: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...
     return {"groups": groups, "choices": [_choice(case_type, path, words) for path, words in choices]}
 
 
-def _parameters(case_type: type[BaseModel], section: str) -> list[dict[str, Any]]:
+def _parameters(case_type: type[BaseModel], section: str) -> list[Document]:
     parameters = []
     for path, key in keys_by_path(case_type, numbers="all").items():
         if path.split(".")[0] == section:
@@ -151,7 +151,7 @@ def _field(case_type: type[BaseModel], path: str) -> tuple[type[BaseModel], str]
     return model, name
 
 
-def _choice(case_type: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[str, Any]:
+def _choice(case_type: type[BaseModel], path: str, words: tuple[str, ...]) -> Document:
     model, name = _field(case_type, path)
     field = model.model_fields[name]
     said = meaning(model, name)

@@ -14,10 +14,10 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
-from typing import Any
 
 from asperity.errors import AsperityError, NoSolutionError, printable
 from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.types import Document
 
 #: Called with what is done and with all that is to be done.
 Report = Callable[[int, int], None]
@@ -42,7 +42,7 @@ def main() -> None:
         os.nice(5)  # the sliders come first
     os.chdir(request["folder"])
 
-    def tell(answer: dict[str, Any]) -> None:
+    def tell(answer: Document) -> None:
         print(json.dumps(answer, allow_nan=False), file=answers, flush=True)
 
     try:
@@ -66,7 +66,7 @@ def _end_with_the_page() -> None:
     os._exit(1)
 
 
-def run_job(request: dict[str, Any], report: Report) -> dict[str, Any]:
+def run_job(request: Document, report: Report) -> Document:
     """Run one job."""
     use_double_precision()
     use_compilation_cache()

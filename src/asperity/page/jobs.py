@@ -19,6 +19,7 @@ from asperity.page.joint_request import JointRequest, asked_joint
 from asperity.page.requests import DesignJob, JobRequest, UncertaintyJob, checked
 from asperity.reading import parse_toml
 from asperity.study.tolerances.uncertainty import toleranced_inputs
+from asperity.types import Document
 
 #: Jobs that may wait or run at the same time.
 MOST_JOBS = 6
@@ -40,12 +41,12 @@ class Job:
     done: int = 0
     total: int = 0
     message: str = ""
-    result: dict[str, Any] | None = None
+    result: Document | None = None
     version: int = 0
     started: float | None = None
     ended: float | None = None
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> Document:
         """Its state for the page, without the result."""
         now = self.ended if self.ended is not None else time.monotonic()
         seconds = round(now - self.started, 1) if self.started is not None else 0.0
@@ -140,7 +141,7 @@ class Jobs:
                 raise
 
 
-def job_request(body: object) -> tuple[str, JointRequest, dict[str, bytes], dict[str, Any]]:
+def job_request(body: object) -> tuple[str, JointRequest, dict[str, bytes], Document]:
     """What a job does, its joint, its files and options, by the JSON body of a request.
 
     An ``InputError`` where the body is none of its model, or the joint or the job is wrong.

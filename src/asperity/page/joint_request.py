@@ -22,6 +22,7 @@ from asperity.page.list_changes import MOST_LOADS, arrange, places_of_lists, rea
 from asperity.page.requests import LONGEST_NAME, Request, checked
 from asperity.reading import check_depth, parse_toml
 from asperity.surface.measured_roughness import measurement_of, roughness_from_document, two_bodies
+from asperity.types import Document
 
 #: Name of the file of a measured surface beside a joint file that the page writes.
 MEASUREMENT_FILE = "measured_surface.json"
@@ -40,7 +41,7 @@ class JointRequest:
     changes: Mapping[str, Any] = field(default_factory=dict)
     tables: Mapping[str, Any] = field(default_factory=dict)
     surfaces: tuple[Any, ...] = ()
-    _made: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _made: Document = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def identity(self) -> str:
@@ -97,11 +98,11 @@ class JointRequest:
         return case_from_tables(tables, source=self.name)
 
     @property
-    def file_tables(self) -> dict[str, Any]:
+    def file_tables(self) -> Document:
         """The tables of the file without the changes, which nobody may change."""
         return self._once("file_tables", self._parsed)
 
-    def _parsed(self) -> dict[str, Any]:
+    def _parsed(self) -> Document:
         return dict(self.tables) if self.tables else parse_toml(self.text, source=self.name)
 
     def _once(self, name: str, make: Callable[[], Any]) -> Any:

@@ -15,6 +15,7 @@ from asperity.joint_file.part_names import sized_tracks, type_of
 from asperity.joint_file.section import is_list, keys_by_path, meaning
 from asperity.joint_file.si_tables import key_at, si_values
 from asperity.reading import parse_toml
+from asperity.types import Document
 
 #: The change of a list that has one section for each branch of the drive, however many those are.
 ONE_PER_BRANCH = "each"
@@ -72,7 +73,7 @@ def _count(tables: Mapping[str, Any], changes: Mapping[str, Any], path: str, *, 
         return otherwise
 
 
-def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
+def arrange(tables: Document, places: Mapping[str, list[int]]) -> None:
     """Give the lists of a joint file another arrangement."""
     for name, wanted in places.items():
         sections = rearranged(tables.get(name, []), wanted, name=name)
@@ -81,7 +82,7 @@ def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
             tables[name] = [copy.deepcopy(section) for section in sections]
 
 
-def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -> dict[str, Any]:
+def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -> Document:
     """The changes that are left when the lists have their arrangement."""
 
     def beyond(path: str) -> bool:
@@ -92,7 +93,7 @@ def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -
     return {path: value for path, value in changes.items() if path not in places and not beyond(path)}
 
 
-def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
+def stated_lists(case: Case, tables: Mapping[str, Any]) -> Document:
     """What the page has to know about the lists of a joint file to make their fields."""
     lists = {}
     for name, count_path in lists_of(type(case)).items():

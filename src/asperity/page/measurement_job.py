@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import contextlib
 from dataclasses import replace
-from typing import Any
 
 from asperity.page.job_process import Report
 from asperity.surface.height_spectrum import with_lay
 from asperity.surface.measure_files import files_document, measured_files
 from asperity.surface.measured_roughness import measurement_of, read_roughness, roughness_document
+from asperity.types import Document
 
 #: Address space of a measurement [byte]: a file that unpacks into more ends with an error.
 MOST_MEMORY = 8 * 1024**3
 
 
-def measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
+def measure(file: str, options: Document, report: Report) -> Document:
     """The document of a measured surface, from an instrument's file or from a document that the page was given."""
     lay, of = options.get("lay"), options.get("measurement_of")
     if options.get("document"):

@@ -13,8 +13,9 @@ from asperity.page import answers, requests
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
 from asperity.page.upload import LARGEST_SURFACE, LONGEST_MEASUREMENT
+from asperity.types import Document
 
-Schema = dict[str, Any]
+Schema = Document
 Model = type[BaseModel]
 
 _TEXT: Schema = {"type": "string"}

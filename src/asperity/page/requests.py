@@ -12,8 +12,9 @@ from asperity.errors import InputError, quoted
 from asperity.page.list_changes import ONE_PER_BRANCH
 from asperity.surface.height_spectrum import Lay
 from asperity.surface.measurement_of import MeasurementOf
+from asperity.types import Document
 
-Schema = dict[str, Any]
+Schema = Document
 
 MOST_CHANGES = 600
 LONGEST_VALUE = 200
@@ -40,7 +41,7 @@ class Request(Body):
     model_config = ConfigDict(json_schema_extra={"oneOf": [{"required": ["toml"]}, {"required": ["joint"]}]})
 
     toml: str = Field("", description="The text of a joint file.")
-    joint: dict[str, Any] = Field({}, description="The tables of a joint file; /api/schema is their schema.")
+    joint: Document = Field({}, description="The tables of a joint file; /api/schema is their schema.")
     changes: dict[_Path, _Value] = Field(
         {},
         max_length=MOST_CHANGES,
@@ -53,7 +54,7 @@ class Request(Body):
             {"branch": ONE_PER_BRANCH, "branch.2.planet_deviation": "2 um", "duty": "2"},
         ],
     )
-    surfaces: list[dict[str, Any]] = Field(
+    surfaces: list[Document] = Field(
         [],
         max_length=2,
         description="Documents of 'asperity surface measure --json' in place of the surfaces of the file: one, that of "

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from asperity.errors import InputError
 from asperity.joint_file.edited_text import with_measurement
 from asperity.joint_file.quantity_key import parse_distribution
@@ -16,6 +14,7 @@ from asperity.study.design.design_result import design_document, shortcoming
 from asperity.study.tolerances.documents import sensitivity_document, uncertainty_document
 from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 from asperity.study.tolerances.uncertainty import uncertainty as propagate
+from asperity.types import Document
 from asperity.views.blocks import block_documents
 from asperity.views.design import design as designed
 from asperity.views.design import design_warnings
@@ -25,7 +24,7 @@ from asperity.views.tolerances import elasticities, intervals, variance_shares
 BLOCK = 256
 
 
-def sensitivity(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
+def sensitivity(file: str, options: Document, report: Report) -> Document:
     """Elasticities of every result by every number of a joint file, and a view of each."""
     dataset = differentiate(read_case(file))
     views = {
@@ -34,7 +33,7 @@ def sensitivity(file: str, options: dict[str, Any], report: Report) -> dict[str,
     return sensitivity_document(dataset) | {"views": views}
 
 
-def uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
+def uncertainty(file: str, options: Document, report: Report) -> Document:
     """Intervals of the results from the tolerances of a joint file, and the share of each tolerance in the first."""
     stated = options.get("distribution")
     dataset = propagate(
@@ -51,7 +50,7 @@ def uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str,
     }
 
 
-def design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
+def design(file: str, options: Document, report: Report) -> Document:
     """The design that a design file asks for, of one objective."""
     problem = read_design(file)
     if len(problem.objectives) > 1:

@@ -18,6 +18,7 @@ from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.file_formats import signed_format
 from asperity.surface.measured_roughness import roughness_document, roughness_from_document
 from asperity.surface.measurement import SCHEMA
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -78,7 +79,7 @@ def refuse_downloads(content: bytes, name: str) -> None:
         raise InputError(f"{shown_name(name)}: this is the report of a joint: {instead}, {last}")
 
 
-def opened_joint(content: bytes, name: str) -> dict[str, Any]:
+def opened_joint(content: bytes, name: str) -> Document:
     """A joint file with what it states."""
     refuse_downloads(content, name)
     name = shown_name(name)
@@ -92,7 +93,7 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     }
 
 
-def opened_design(content: bytes, name: str) -> dict[str, Any]:
+def opened_design(content: bytes, name: str) -> Document:
     """The text of a design file; it is checked when the design begins."""
     name = shown_name(name)
     text = _text(content, name)
@@ -118,7 +119,7 @@ class Measurements:
         self._waiting = Computations(longest=2.0 * LONGEST_MEASUREMENT)
         self._child: Child | None = None
 
-    async def run(self, content: bytes, name: str, units: Mapping[str, str]) -> dict[str, Any]:
+    async def run(self, content: bytes, name: str, units: Mapping[str, str]) -> Document:
         """Wait for :func:`measured_upload`; also an ``AsperityError`` if too many files wait."""
         return await self._waiting.run(measured_upload, content, name, units, self._begun)
 
@@ -135,14 +136,14 @@ class Measurements:
 
 def measured_upload(
     content: bytes, name: str, units: Mapping[str, str], begun: Callable[[Child], Any] = lambda child: None
-) -> dict[str, Any]:
+) -> Document:
     """The measurement of the file of an instrument, or one made before, and the ``surface`` that a joint takes of it.
 
     ``units``: what a :class:`MeasurementQuery` has, as texts, empty if not stated.
     """
     refuse_downloads(content, name)
     stated = checked(MeasurementQuery, {key: value for key, value in units.items() if value})
-    options: dict[str, Any] = stated.model_dump(exclude_unset=True)
+    options: Document = stated.model_dump(exclude_unset=True)
     if "spacing" in options:
         options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)
     options["document"] = recognised(content, "") == "measurement"

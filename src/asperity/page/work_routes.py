@@ -6,7 +6,6 @@ import asyncio
 import json
 import re
 from collections.abc import AsyncIterator
-from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -20,6 +19,7 @@ from asperity.page.jobs import ENDED, Job, Jobs, job_request
 from asperity.page.joint_request import shown_name
 from asperity.page.requests import MeasurementQuery
 from asperity.page.upload import Measurements, opened_design, opened_joint, recognised
+from asperity.types import Document
 
 #: Pause between two looks at a job that is watched [s], and the longest silence towards the browser [s].
 LOOK, SILENCE = 0.1, 10.0
@@ -107,7 +107,7 @@ async def _watched(job: Job) -> AsyncIterator[str]:
     """Each change of a job as a server-sent event, until its end."""
     seen, silent = -1, 0.0
     while True:
-        told: dict[str, Any] = job.told()
+        told: Document = job.told()
         if job.version != seen or told["state"] in ENDED:
             seen, silent = job.version, 0.0
             yield f"data: {json.dumps(told)}\n\n"

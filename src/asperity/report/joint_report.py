@@ -33,6 +33,7 @@ from asperity.results.windup_document import (
 from asperity.rolling.onset import RollingOnset
 from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
+from asperity.types import Document
 from asperity.views.blocks import Block, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.views.branches import branches
 from asperity.views.joint import assumptions, contacts, drive, load, surfaces, verdict
@@ -134,12 +135,12 @@ class _Examined:
 
     windup: Windup | None
     onset: RollingOnset | None
-    windup_figures: dict[str, Any] | None
+    windup_figures: Document | None
     no_windup: str
     rolling_capacity: float
 
 
-def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
+def _examined(solved: SolvedJoint, document: Document, case: AnyCase) -> _Examined:
     joint: Joint = solved.joint
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
@@ -173,7 +174,7 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
     yield Table("Document", ("item", "content"), rows, words=(0, 1))
 
 
-def _branches(document: dict[str, Any]) -> Iterator[Block]:
+def _branches(document: Document) -> Iterator[Block]:
     if "branches" in document:
         yield Heading("Branches by their own sizes")
         yield from branches(document["branches"])
@@ -246,7 +247,7 @@ def inputs_table(case: Case) -> Table:
         unit = number.key.unit
         tolerance = f"± {quantity(number.tolerance, unit, 6)}" if number.tolerance else ""
         rows.append((label_of(path), quantity(number.value, unit, 8), tolerance))
-    duty: dict[str, Any] = si_values(case).get("duty", {})
+    duty: Document = si_values(case).get("duty", {})
     rows += [(label_of(f"duty.{load}.share"), f"{entry['share']:.8g}", "") for load, entry in duty.items()]
     return Table("Numbers of the joint file", ("number", "value", "tolerance"), rows)
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from itertools import groupby
-from typing import Any
 
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Report, Table
 
 _HEAD = ("quantity: reference", "values", "expected", "found", "deviation", "tolerance", "result")
 
 
-def validation_report(document: dict[str, Any]) -> Report:
+def validation_report(document: Document) -> Report:
     """A report of the checks, one table for each model."""
     packages = ", ".join(f"{name} {version}" for name, version in document["packages"].items())
     total = document["passed"] + document["failed"]
@@ -32,7 +32,7 @@ def validation_report(document: dict[str, Any]) -> Report:
     return Report(f"Validation of asperity {document['asperity_version']}", tuple(blocks))
 
 
-def _row(row: dict[str, Any]) -> tuple[str, ...]:
+def _row(row: Document) -> tuple[str, ...]:
     unit = f" {row['unit']}" if row["absolute"] and row["unit"] != "-" else ""
     quantity = row["quantity"] + (f" [{row['unit']}]" if row["unit"] != "-" else "")
     note = f"; {row['note']}" if row["note"] else ""

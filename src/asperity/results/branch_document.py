@@ -12,8 +12,7 @@ from asperity.branches.branches import AssembledBranches
 from asperity.branches.results import BranchState, UnequalBranches, unequal_branches
 from asperity.joint.solve import Solution
 from asperity.joint.torque_limits import TorqueCapacity, limit_words
-
-Document = dict[str, Any]
+from asperity.types import Document
 
 _ROUNDING = 1e-11  # of forces relative to the preloads
 _EVEN = 1e-9  # relative difference of preloads up to which branches are alike

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -20,13 +19,13 @@ from asperity.contact.tilted_line import (
 from asperity.errors import NoSolutionError
 from asperity.joint.description import joint_contacts
 from asperity.results.solved import SolvedJoint
-from asperity.types import Array
+from asperity.types import Array, Document
 
 #: Drop over the approach of cylinders with this tilt, at most; and over the least that frees the ends, at most.
 _ROUNDEST, _WIDER = 1e3, 10.0
 
 
-def crown_document(solved: SolvedJoint, tilt: float) -> dict[str, Any]:
+def crown_document(solved: SolvedJoint, tilt: float) -> Document:
     """The contacts of a joint whose axes are tilted [rad] with several profiles, in SI units, for :func:`json.dumps`.
 
     Under the largest normal force of each contact: without torque, standing and rolling under it. ``profiles``: as the
@@ -58,7 +57,7 @@ def crown_document(solved: SolvedJoint, tilt: float) -> dict[str, Any]:
     return {"tilt_rad": tilt, "contacts": contacts}
 
 
-def _profiles(pair: dict[str, float], tilt: float, curvature: float) -> Iterator[dict[str, Any]]:
+def _profiles(pair: dict[str, float], tilt: float, curvature: float) -> Iterator[Document]:
     """One contact with several profiles, first that of the file."""
     length, mean = pair["contact_length"], pair["normal_force"] / pair["contact_length"]
     circle, width = (2.0 * PLACES) ** 2, float(half_width(**pair))

@@ -34,9 +34,8 @@ from asperity.results.rolling_document import rolling_document
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import torque_capacity_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
+from asperity.types import Document
 from asperity.units import format_quantity
-
-Document = dict[str, Any]
 
 #: Below this share of the compliance a spring is only the rounding of the others.
 NO_SHARE = 1e-12
@@ -283,7 +282,7 @@ def _rims(solved: SolvedJoint) -> Document:
     }
 
 
-def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any]]:
+def surface_averages(joint: Joint, stated: Document) -> list[Document]:
     """What an instrument would show on the fractal surfaces of a joint [m]."""
     contacts = joint.contact_names
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
@@ -299,14 +298,14 @@ def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any
     return [_entry(names, *values) for values, names in by_surface.items()]
 
 
-def _cut_off(entry: dict[str, Any]) -> float | None:
+def _cut_off(entry: Document) -> float | None:
     """The cut-off of a surface that is stated by its Ra."""
     if "roughness_average" not in entry:
         return None
     return float(entry.get("cut_off", standard_cut_off(roughness_average=float(entry["roughness_average"]))))
 
 
-def _entry(names: list[str], dimension: float, roughness: float, cut_off: float | None) -> dict[str, Any]:
+def _entry(names: list[str], dimension: float, roughness: float, cut_off: float | None) -> Document:
     average = corresponding_average(fractal_dimension=dimension, fractal_roughness=roughness, cut_off=cut_off)
     return {
         "contacts": names,

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 
 from asperity.standing.dynamics import Dynamics, Inertias
+from asperity.types import Document
 
 
-def dynamics_document(dynamics: Dynamics, inertias: Inertias) -> dict[str, Any]:
+def dynamics_document(dynamics: Dynamics, inertias: Inertias) -> Document:
     """The dynamics of a joint in SI units, ready for :func:`json.dumps`."""
     names = {
         "output_torque": "output_torque_Nm",

@@ -30,6 +30,7 @@ from asperity.joint.working_loads import (
 )
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import unknown_because
+from asperity.types import Document
 from asperity.units import format_quantity, from_si
 
 _DIRECTIONS = (
@@ -230,7 +231,6 @@ def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
 _SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "µm"}
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
-Document = dict[str, Any]
 Row = tuple[str, str, str, str, Any]
 
 #: What the lives of rolling bearings are.

@@ -15,6 +15,7 @@ from asperity.results.limit_check import LimitCheck, with_pins
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.types import Document
 from asperity.units import format_quantity
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
@@ -207,7 +208,7 @@ def _worst(row: Result, rows: dict[str, float]) -> Margin:
 
 def verdict_document(
     judged: Sequence[Margin], rims: Mapping[str, Any], materials: Mapping[str, str] = MappingProxyType({})
-) -> dict[str, Any]:
+) -> Document:
     """Whether a joint works, as a part of its document, from every requirement and the stresses of bodies that bend.
 
     ``works``: whether all requirements of function are met, None where none fails but one is not known, or the numbers

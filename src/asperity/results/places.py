@@ -10,8 +10,7 @@ import numpy as np
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
-
-Document = dict[str, Any]
+from asperity.types import Document
 
 #: Group of a row → section of the document for the rows that state no place; of other groups the section is the group.
 _SECTIONS = {
@@ -76,7 +75,7 @@ def with_rows(document: Document, solved: SolvedJoint) -> Document:
     return _without_waiting(filled)
 
 
-def _values(row: Result, where: str, solved: SolvedJoint) -> dict[str, Any]:
+def _values(row: Result, where: str, solved: SolvedJoint) -> Document:
     """Values by the names of the rows [unit of the key]; nan for those that the joint does not have."""
     names = row.row_names
     present = row.present is None or any(row.present(solved))

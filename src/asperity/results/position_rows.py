@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from asperity.joint.pin_bound import bounded
 from asperity.joint.torque_limits import may_carry_more
+from asperity.types import Document
 from asperity.units import format_quantity
-
-Document = dict[str, Any]
 
 
 class PositionRow(NamedTuple):

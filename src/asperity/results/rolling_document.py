@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from asperity.results.places import in_order
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import losses, no_life_because, unknown_because
 from asperity.rolling.power import rolling_input_torque
-
-Document = dict[str, Any]
+from asperity.types import Document
 
 
 def rolling_document(solved: SolvedJoint) -> Document:

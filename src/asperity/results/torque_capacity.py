@@ -37,7 +37,7 @@ from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, 
 from asperity.results.notes import Severity
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
-from asperity.types import Array
+from asperity.types import Array, Document
 
 #: Severities of the limits that a torque must keep.
 JUDGED: tuple[Severity, ...] = ("function", "damage")
@@ -239,7 +239,7 @@ def _first_slip(standing: JointCapacity, rolling: JointCapacity) -> JointCapacit
     return standing if first else rolling
 
 
-def _up_to(slip: Any, guess: Any) -> dict[str, Any]:
+def _up_to(slip: Any, guess: Any) -> Document:
     """Where the search for a limit of the rows begins, and how far it goes: to the torque at which a contact slips."""
     known = xp.isfinite(slip) & (slip > 0.0)
     return {
@@ -368,13 +368,13 @@ def _place_words(solved: SolvedJoint, place: int) -> str:
     return "the drive"
 
 
-def torque_capacity_document(solved: SolvedJoint) -> dict[str, Any]:
+def torque_capacity_document(solved: SolvedJoint) -> Document:
     """The torque capacity of one joint in both directions as a part of its JSON document [N·m]."""
     forward, reverse = (_document(solved, torque_capacity(solved, reverse=way)) for way in (False, True))
     return {**forward, "reverse": reverse}
 
 
-def _document(solved: SolvedJoint, capacity: JointCapacity) -> dict[str, Any]:
+def _document(solved: SolvedJoint, capacity: JointCapacity) -> Document:
     torque, limit = float(capacity.output_torque), CAPACITY_LIMITS[int(capacity.limit)]
     place = place_names(solved)[int(capacity.place)]
     at_least = limit.removeprefix(_IN_ROLLING) in MODEL_LIMITS

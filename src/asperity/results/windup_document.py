@@ -17,6 +17,7 @@ from asperity.rolling.document import unknown_because
 from asperity.rolling.onset import RollingOnset, rolling_onset
 from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup, windup
+from asperity.types import Document
 
 
 def examined_windup(
@@ -66,7 +67,7 @@ def windup_document(
     onsets: tuple[RollingOnset | None, RollingOnset | None],
     *,
     level: StiffnessLevel,
-) -> dict[str, Any]:
+) -> Document:
     """The figures of a wind-up in SI units, ready for :func:`json.dumps`, the unit at the end of every key.
 
     Angles of ``rolling`` are without sign; capacities as :func:`asperity.joint.torque_limits.capacity_document` says
@@ -98,7 +99,7 @@ def windup_document(
     }
 
 
-def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
+def windup_capacities(document: Document) -> tuple[float, float]:
     """Torque capacities standing of both directions as positive torques [N·m], of :func:`windup_document`.
 
     Infinite where there are none, or where the joint may carry more than what is computed.
@@ -113,7 +114,7 @@ def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
     return forward, reverse
 
 
-def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> dict[str, Any]:
+def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> Document:
     if onset is None:
         return {"unknown_because": unknown_because(joint, solution.result)}
     contacts = onset.contacts
@@ -140,7 +141,7 @@ def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> di
     }
 
 
-def windup_columns(curve: Windup) -> dict[str, Any]:
+def windup_columns(curve: Windup) -> Document:
     """The loading curves and both branches of the loop at the same torques: names with units → arrays of shape (n,)."""
     return {
         "torque_Nm": curve.torque,
@@ -151,7 +152,7 @@ def windup_columns(curve: Windup) -> dict[str, Any]:
     }
 
 
-def rolling_columns(onset: RollingOnset) -> dict[str, Any]:
+def rolling_columns(onset: RollingOnset) -> Document:
     """The curve beyond a wind-up, and what swings of the same angles lose: names with units → arrays of shape (n,)."""
     return {
         "input_angle_rad": onset.contacts.input_angle * onset.angle,

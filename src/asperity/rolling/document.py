@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.rolling.rolling import RollingResult
-
-Document = dict[str, Any]
+from asperity.types import Document
 
 
 def losses(rolling: RollingResult) -> Document:

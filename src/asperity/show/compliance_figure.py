@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from asperity.results.document import NO_SHARE, budget_words
 from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint
 from asperity.show.style import ACCENT, MARK, MUTED, mark_few_decades
+from asperity.types import Document
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ _NOTE_WIDTH = 58  # letters below a panel of half a sheet
 _LABEL_WIDTH = 28  # letters in the legend of a panel of a third of a sheet
 _ROW = 3.7  # height of a row of panels [in]
 #: A ground that hides the line at 0.
-_LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
+_LEGEND: Document = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
 #: Colours that are told apart by everybody, and in grey by their brightness.
 PASS_COLOUR, FAIL_COLOUR = "#2c7fb8", "#d95f02"
 _COLOURS = {"pass": PASS_COLOUR, "FAIL": FAIL_COLOUR, "unknown": "#9a9a9a"}
@@ -162,7 +163,7 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
 
 
 def draw_temperatures(
-    axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit, limits: list[dict[str, Any]]
+    axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit, limits: list[Document]
 ) -> None:
     """Three panels over temperature, with those of assembly and work, and where something of the joint is lost.
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from asperity.joint.description import Joint
 from asperity.rolling.curves import RollingCurves
 from asperity.rolling.rolling import RollingResult
+from asperity.types import Document
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,7 +55,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
         zip(joint.contact_names, itertools.cycle(_STYLES))
     ):
         creepage, traction = curves.contact_creepage[index], curves.contact_traction[index]
-        point: dict[str, Any] = {
+        point: Document = {
             "marker": symbol,
             "markersize": 6,
             "markeredgecolor": "white",

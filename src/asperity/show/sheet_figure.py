@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, TEXT_HEIGHT, Circle, Line, Point, Sheet, Text
+from asperity.types import Document
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 _MM_PER_INCH, _POINTS_PER_INCH = 25.4, 72.0
 _FONT = "DejaVu Sans"
 _CAP_HEIGHT = 0.729  # of this font, over its size
-_DASHES: dict[str, Any] = {"axis": (0, (24.0, 6.0, 3.0, 6.0))}
+_DASHES: Document = {"axis": (0, (24.0, 6.0, 3.0, 6.0))}
 
 
 def sheet_figure(sheet: Sheet) -> Figure:
@@ -41,7 +42,7 @@ def sheet_figure(sheet: Sheet) -> Figure:
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.0},  # no line runs through a word
             )
             continue
-        line: dict[str, Any] = {
+        line: Document = {
             "linewidth": _points(LINE_WIDTHS[item.style]),
             "linestyle": _DASHES.get(item.style, "-"),
             "color": "black",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import printable
+from asperity.types import Document
 
 if TYPE_CHECKING:
     from matplotlib.axis import Axis
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 #: Colour of text and outlines.
 INK = "#22303c"
 #: Matplotlib settings of every figure.
-STYLE: dict[str, Any] = {
+STYLE: Document = {
     "font.family": "DejaVu Sans",
     "font.size": 9.5,
     "axes.titlesize": 11,
@@ -52,7 +53,7 @@ MUTED = "#6b7782"
 #: Colour of what is marked: peaks, limits.
 MARK = "#c2410c"
 #: Contact → colour, dash and width: right solid, left dashed; the ring's lines are thinner, so that the planet's show.
-CONTACT_STYLES: dict[str, dict[str, Any]] = {
+CONTACT_STYLES: dict[str, Document] = {
     "sp": {"color": INK, "linestyle": "-"},
     "pwr": {"color": "#4a9bd1", "linestyle": "-", "linewidth": 3.6},
     "pwl": {"color": "#4a9bd1", "linestyle": (0, (2.2, 1.1)), "linewidth": 3.6},

@@ -25,7 +25,7 @@ from asperity.joint.loading_cam import CamOfJoint, pressed_at, turned_cam, with_
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 
 
 class StandingOverTorque(NamedTuple):
@@ -197,7 +197,7 @@ def _states(machine: JointMachine, without_torque: Pressed) -> Callable[[Array],
     def under(torque: Array) -> _Under:
         laws, rest = pressed(torque)
         load = dataclasses.replace(unloaded, output_torque=torque)
-        given: dict[str, Any] = {"drive": machine.drive, "laws": laws, "rest": rest}
+        given: Document = {"drive": machine.drive, "laws": laws, "rest": rest}
         given["creep_of"] = creep_under(machine)
         standing, rolling = loaded_states(load=load, **given)
         backwards = rolling

@@ -16,6 +16,7 @@ from asperity.joint_file.si_tables import key_at
 from asperity.made_files import Kind, table_where
 from asperity.results import RESULTS, Result, row_name
 from asperity.study.parameters import SweepAxis, long_name
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import from_si, parse_quantity
 from asperity.writing import check_folder, replacing
@@ -119,7 +120,7 @@ def dataset(
 ) -> xarray.Dataset:
     """A dataset of evaluated points."""
     xr = require("xarray")
-    variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
+    variables: Document = {"status": (dimensions, status, flag_attributes())}
     for name, value in result_values.items():
         variables[name] = ((*row_dimensions(table[name]), *dimensions), value, result_attributes(table[name]))
     coords = {**coordinates, **row_coordinates(table[name] for name in result_values)}
@@ -258,7 +259,7 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
     pd = require("pandas")
     dims = tuple(dataset["status"].dims)
     shape = tuple(dataset.sizes[name] for name in dims)
-    columns: dict[str, Any] = {}
+    columns: Document = {}
     for name in dims:
         if name in dataset.coords:
             column = dataset.coords[name]

@@ -7,7 +7,6 @@ import itertools
 import json
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy as np
 
@@ -27,6 +26,7 @@ from asperity.joint_file.felt_heights import (
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import MEASURED, Values, replace_values, with_numbers, without_measurement
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_from_document
+from asperity.types import Document
 
 #: Dotted path → its values at all points [SI], shape (points,).
 Columns = Mapping[str, np.ndarray]
@@ -137,7 +137,7 @@ def _lengths(tables: Values, columns: Columns, count: int) -> Heights:
     return np.array(np.broadcast_to(lengths, (len(lengths), count)))
 
 
-def _columns(names: tuple[str, ...], key: str, lengths: Heights) -> dict[str, Any]:
+def _columns(names: tuple[str, ...], key: str, lengths: Heights) -> Document:
     return {f"surface.{name}.{key}": length for name, length in zip(names, lengths, strict=True)}
 
 

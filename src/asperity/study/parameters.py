@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from asperity.joint_file.si_tables import (
     replace_values,
     si_values,
 )
+from asperity.types import Document
 from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]
@@ -47,7 +48,7 @@ class Axis:
             return np.geomspace(self.start, self.stop, self.count)
         return np.linspace(self.start, self.stop, self.count)
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Document:
         """The axis as plain data."""
         return {
             "key": self.path,
@@ -79,7 +80,7 @@ class ListedAxis:
 SweepAxis = Axis | ListedAxis
 
 
-def axis_from_dict(plain: dict[str, Any]) -> SweepAxis:
+def axis_from_dict(plain: Document) -> SweepAxis:
     """An axis from plain data, as :func:`dataclasses.asdict` makes them."""
     return ListedAxis(**plain) if "listed" in plain else Axis(**plain)
 

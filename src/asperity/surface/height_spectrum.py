@@ -25,6 +25,7 @@ from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
 from asperity.surface.roughness_average import RMS_OVER_RA, STANDARD_CUT_OFFS
 from asperity.surface.spectrum import bin_edges, power_spectral_densities, raised_cosine
 from asperity.surface.topography import Topography
+from asperity.types import Document
 
 #: Direction of the grooves of a profile, which is measured across them: those of the rolling direction, those of the
 #: rollers' axis, or none.
@@ -137,7 +138,7 @@ class HeightSpectrum:
                 break
         return cut_off
 
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The spectrum as plain numbers for JSON."""
         return {
             "source": self.source,

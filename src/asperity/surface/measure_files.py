@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -47,6 +46,7 @@ from asperity.surface.stated import Stated, with_its_sizes
 from asperity.surface.suspicious_heights import disagreement, end_notes, refuse_missing_marks
 from asperity.surface.topography import Topography
 from asperity.text_table.decoding import looks_like_text, refuse_unmarked_utf_16
+from asperity.types import Document
 
 #: Larger files are refused before they are opened [bytes].
 LARGEST_FILE = 4096 * MEBIBYTE
@@ -192,7 +192,7 @@ def _spectrum(surfaces: list[MeasuredSurface], direction: str, lay: Lay | None) 
     return spectrum_of_profiles(profiles=profiles, spacing=spacing, lay=lay, source=source)
 
 
-def files_document(measured: MeasuredFiles) -> dict[str, Any]:
+def files_document(measured: MeasuredFiles) -> Document:
     """D, G and their covariance, how they were found, and height parameters of files, in SI units, ready for JSON.
 
     ``no_power_law`` holds the reason where there is no D and G.
@@ -210,7 +210,7 @@ def files_document(measured: MeasuredFiles) -> dict[str, Any]:
     return document
 
 
-def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
+def _file_entry(surface: MeasuredSurface) -> Document:
     topography, heights = surface.topography, surface.heights
     letter, total = ("S", "Sz") if topography.is_map else ("P", "Pt")
     entry = {

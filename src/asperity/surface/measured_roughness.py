@@ -25,6 +25,7 @@ from asperity.surface.measurement import (
     refuse_other_documents,
 )
 from asperity.surface.measurement_of import MeasurementOf, known_measurement_of
+from asperity.types import Document
 
 
 @dataclass(frozen=True)
@@ -91,9 +92,9 @@ def measurement_of(measured: MeasuredRoughness, stated: str | None) -> MeasuredR
     return replace(measured, of=of)
 
 
-def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
+def roughness_document(roughness: MeasuredRoughness) -> Document:
     """A measured surface as plain numbers and text for JSON, units in the names."""
-    document: dict[str, Any]
+    document: Document
     if roughness.fractal is None:
         document = {
             "schema": SCHEMA,

@@ -16,7 +16,7 @@ from asperity.errors import InputError
 from asperity.reading import read_json
 from asperity.surface.conventions import validated_fractal
 from asperity.surface.fractal_fit import FractalFit
-from asperity.types import Array, ArrayLike
+from asperity.types import Array, ArrayLike, Document
 
 #: Name and version of the document; a reader refuses others.
 SCHEMA = "asperity-surface-measurement"
@@ -68,7 +68,7 @@ def measured(*numbers: ArrayLike, estimator: str, profiles: int, source: str) ->
     return SurfaceMeasurement(D, G, gamma, covariance, short, long, estimator, profiles, source)
 
 
-def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
+def measurement_document(*, measurement: SurfaceMeasurement) -> Document:
     """The measurement as plain numbers and text for JSON, units in the names."""
     interval = measurement.interval(confidence=CONFIDENCE)
     return {
@@ -135,7 +135,7 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
     return measured(*numbers, estimator=words[0], profiles=int(profiles), source=words[1])
 
 
-def _number(document: dict[str, Any], key: str) -> float:
+def _number(document: Document, key: str) -> float:
     """A finite number of a document."""
     if key not in document:
         raise InputError(f"the measurement has no key '{key}'")
@@ -145,7 +145,7 @@ def _number(document: dict[str, Any], key: str) -> float:
     return float(value)
 
 
-def _covariance(document: dict[str, Any]) -> NDArray[np.float64]:
+def _covariance(document: Document) -> NDArray[np.float64]:
     """The covariance of a document, two by two, symmetric and not negative."""
     key = "covariance_of_dimension_and_log_roughness"
     if key not in document:

@@ -12,6 +12,7 @@ import scipy.special
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
+from asperity.types import Document
 
 _CONFIDENCE = 0.95
 
@@ -66,7 +67,7 @@ class PressedMap:
     def _known(self, capped: bool) -> NDArray[np.bool_]:
         return np.asarray(np.isfinite(self.decay_ratios[int(capped)]).all(axis=0))
 
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The numbers for JSON, null for those that there are not."""
         return {field.name: plain_numbers(getattr(self, field.name)) for field in fields(self)}
 
@@ -81,7 +82,7 @@ def plain_numbers(number: Any) -> Any:
 def pressed_map_from_document(entry: Any) -> PressedMap:
     """The numbers of :meth:`PressedMap.document`; an ``InputError`` if it is not such a document."""
     try:
-        numbers: dict[str, Any] = {
+        numbers: Document = {
             field.name: np.asarray(entry[field.name], dtype=np.float64) for field in fields(PressedMap)
         }
         made = PressedMap(**(numbers | {"hardness": float(entry["hardness"])}))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+
+from asperity.types import Document
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ class Check:
         """Whether the deviation is within the tolerance; nan is not."""
         return self.deviation <= self.tolerance
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Document:
         """The fields for JSON, ``computed`` as "found", and ``passed``; numbers that are not finite are None."""
         fields = {"found" if name == "computed" else name: getattr(self, name) for name in self.__slots__}
         for name in ("expected", "found", "deviation"):

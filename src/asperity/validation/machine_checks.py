@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from asperity.drive.types.planetary import planetary_drive
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.materials import Material
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 from asperity.validation.check import Check, compared
 
 #: Steel rollers of 10 and 20 mm radius, 10 mm long, under 2000 N, which roll at 1 m/s.
@@ -28,7 +27,7 @@ _ROLLERS = "10/20 mm, 10 mm long, 2000 N, 1 m/s"
 
 def oil() -> Iterator[Check]:
     """Film, drag and heat of a lubricated contact."""
-    pair: dict[str, Any] = {
+    pair: Document = {
         "line_load": _FORCE / _LENGTH,
         "effective_radius": _RADIUS,
         "contact_modulus": _MODULUS,
@@ -253,7 +252,7 @@ def structure() -> Iterator[Check]:
     """A loading cam, and pins as beams."""
     pin: dict[str, float] = {"force": 120.0, "free_length": 9e-3, "roller_length": 5e-3}
 
-    def found(torque: Array, diameter: Array) -> dict[str, Any]:
+    def found(torque: Array, diameter: Array) -> Document:
         both = pin_bending_moment(support="both_ends", **pin)
         return {
             "preload": cam_preload(least_preload=200.0, force_per_torque=150.0, output_torque=torque),

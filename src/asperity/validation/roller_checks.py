@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
@@ -16,7 +15,7 @@ from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.bearing_lives import BearingLives, BearingState, lives_of_bearings
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 from asperity.validation.check import Check, compared
 
 _YOUNG, _POISSON = 206e9, 0.3
@@ -28,7 +27,7 @@ def crowns() -> Iterator[Check]:
     """Crowned rollers whose ends are free, and cylinders."""
 
     def pressed(force: Array, curvature: Array, length: Array) -> tuple[crowned_line.CrownedLine, Real]:
-        pair: dict[str, Any] = {
+        pair: Document = {
             "normal_force": force,
             "crown_curvature": curvature,
             "contact_length": length,
@@ -125,7 +124,7 @@ def skewed() -> Iterator[Check]:
     shares = np.array([0.1, 0.25, 0.5, 0.8, 0.95])
     bodies = {"youngs_modulus": _YOUNG, "poisson_ratio": _POISSON}
 
-    def found(shares: Array, small: Array) -> dict[str, Any]:
+    def found(shares: Array, small: Array) -> Document:
         width = hertz_line.half_width(
             normal_force=force, contact_length=length, effective_radius=_RADIUS, contact_modulus=_MODULUS
         )

@@ -11,6 +11,7 @@ from typing import Any
 
 import asperity
 from asperity.precision import require_double_precision
+from asperity.types import Document
 from asperity.validation import (
     contact_checks,
     drive_checks,
@@ -77,7 +78,7 @@ def source_checksum() -> str:
     return digest.hexdigest()
 
 
-def validation_document(checks: list[Check]) -> dict[str, Any]:
+def validation_document(checks: list[Check]) -> Document:
     """The checks with what they were computed on, ready for :func:`json.dumps`."""
     return {
         "asperity_version": asperity.__version__,

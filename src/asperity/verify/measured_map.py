@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import jax.numpy as jnp
 import numpy as np
@@ -16,6 +16,7 @@ from asperity.contact.fractal import Surface
 from asperity.contact.persson_2007 import persson_decay_length, wave_spectrum
 from asperity.surface.measure_files import MeasuredFiles
 from asperity.surface.pressed_map import PressedMap, plain_numbers
+from asperity.types import Document
 from asperity.verify.comparison import flat_fractal_contact
 
 if TYPE_CHECKING:
@@ -149,7 +150,7 @@ def compare_map(
     )
 
 
-def map_document(comparison: MapComparison, *, source: str) -> dict[str, Any]:
+def map_document(comparison: MapComparison, *, source: str) -> Document:
     """All numbers of a comparison for JSON, SI units in the names; null where there is no stiffness."""
     pressed = comparison.pressed
     elements = {

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.results.branch_document import deviations, force_size
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import number, quantity, words
-
-Document = dict[str, Any]
 
 
 def branches(unequal: Document) -> Iterator[Block]:

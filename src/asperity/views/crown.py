@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import number, quantity, words
-
-Document = dict[str, Any]
 
 _NOTES = (
     "Drops are those of both bodies together; crowns of both add as 1/R. A crown on a roller acts in all its contacts: "

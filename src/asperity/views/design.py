@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from asperity.study.design.design_result import (
     not_limited,
     shortcoming,
 )
+from asperity.types import Document
 from asperity.units import from_si
 from asperity.views.blocks import Block, Bullets, Heading, Paragraph, Table
 from asperity.views.limits import warnings
@@ -160,7 +161,7 @@ def front(dataset: xarray.Dataset, names: Sequence[str]) -> Iterator[Block]:
     yield Table(title, tuple(head), list(zip(*columns, strict=True)), words=())
 
 
-def front_warnings(diagnostics: dict[str, Any]) -> Iterator[Block]:
+def front_warnings(diagnostics: Document) -> Iterator[Block]:
     """How many designs of a front cross which limit, the most serious first."""
     designs = [entries for entries in diagnostics["diagnostics"] if entries is not None]
     crossed = Counter(label for entries in designs for label in {entry["label"] for entry in entries})

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.joint.pin_bound import bounded
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import number
-
-Document = dict[str, Any]
 
 _QUANTITIES = {
     "stiffness_output_Nm_per_rad": ("torsional stiffness at the output, assembled", "N·m/rad"),

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.joint.pin_bound import bounded
 from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import first_slip_words, may_carry_more, standing_words
 from asperity.joint_file.part_names import drive_type_of
+from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Figure, Figures, Heading, Paragraph, Table
 from asperity.views.numbers import number, number_in, percent, quantity, unit_words, words
 from asperity.views.solved_view import SolvedView
 
-Document = dict[str, Any]
 Rows = list[tuple[str, str]]
 
 

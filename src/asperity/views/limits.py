@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from asperity.results.document import crossed_limits
 from asperity.results.margins import Margin
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table, Warned, Warnings
 from asperity.views.numbers import quantity, words
-
-Document = dict[str, Any]
 
 #: What a crossed limit means for the joint, by its severity.
 ABOUT = {

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.results.loads_document import shown_rows, state_of_case
+from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Paragraph, Table
 from asperity.views.numbers import number, quantity, sentence, unit_words, words
-
-Document = dict[str, Any]
 
 _BEARING_COLUMNS = {
     "C\nN": "dynamic_rating_N",

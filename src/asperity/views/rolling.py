@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
 from asperity.rolling.document import rating_life_name
+from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Paragraph, Table
 from asperity.views.joint import input_member
 from asperity.views.numbers import number, percent, quantity, sentence, words
 from asperity.views.solved_view import SolvedView
-
-Document = dict[str, Any]
 
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
 

@@ -6,15 +6,13 @@ import functools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.types import Document
 from asperity.views.blocks import Table
 from asperity.views.numbers import number, number_in, unit_words, words
-
-Document = dict[str, Any]
 
 
 @dataclass(frozen=True)

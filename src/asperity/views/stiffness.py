@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.joint.pin_bound import bounded
 from asperity.results.document import NO_SHARE, budget_words, crossed_limits
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.joint import input_member
 from asperity.views.numbers import number, number_in, percent, quantity, sentence, words
 from asperity.views.solved_view import SolvedView
-
-Document = dict[str, Any]
 
 #: Share of the compliance below which a contact is not named beside its spring.
 _NAMED = 5e-4

@@ -12,6 +12,7 @@ from asperity.joint_file.si_tables import AnyCase, key_at
 from asperity.results import display_unit
 from asperity.study.tolerances.documents import ABOUT_FINISHED_PARTS, TOLERANCES_OF_PARTS, failures
 from asperity.study.tolerances.sensitivity import FINISHED_PART, path_of_input, ranking
+from asperity.types import Document
 from asperity.units import from_si
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import NONE, number, percent, quantity, sentence, unit_words, words
@@ -149,7 +150,7 @@ def variance_shares(spread: xarray.Dataset, results: Sequence[str]) -> Iterator[
     yield Table(title, ("tolerance", "± value", "distribution", *heads), rows, words=(0, 2), shares=shares)
 
 
-def unlike_branches(scatter: dict[str, Any], draws: int) -> Iterator[Block]:
+def unlike_branches(scatter: Document, draws: int) -> Iterator[Block]:
     """Drives whose branches are drawn one by one."""
     rows = []
     for name, label, unit, factor in (

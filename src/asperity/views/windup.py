@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from asperity.joint.pin_bound import bounded
 from asperity.joint.torque_limits import first_slip_words
+from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.joint import capacity_text
 from asperity.views.numbers import number, number_in, percent, quantity, words
-
-Document = dict[str, Any]
 
 
 def windup(document: Document) -> Iterator[Block]:

@@ -7,9 +7,10 @@ is printed with its number and the measured value, so that a reader can apply a 
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import Any
 
 import numpy as np
+
+from asperity.types import Document
 
 
 @dataclass(frozen=True)
@@ -171,7 +172,7 @@ class Claim:
         """True if every statement is met."""
         return all(statement.met for statement in self.statements)
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Document:
         """``name``, ``title``, ``panels``, ``met`` and ``statements`` of the claim as plain data for JSON."""
         return {
             "name": self.name,

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.errors import InputError
 from asperity.show.style import INK, MARK
-from asperity.types import Real
+from asperity.types import Document, Real
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,7 +68,7 @@ def draw_drive(axes: Axes, geometry: DriveGeometry, *, ring_wall_thickness: Real
     """Draw the rollers and the ring of a drive to scale, in mm, with a legend that gives the radii."""
     from matplotlib.patches import Circle, FancyArrowPatch, Patch, Wedge
 
-    outline: dict[str, Any] = {"edgecolor": INK, "linewidth": 1.1}
+    outline: Document = {"edgecolor": INK, "linewidth": 1.1}
     inside, wall = 1e3 * float(geometry.ring_radius), 1e3 * float(ring_wall_thickness)
     outside = inside + wall
     axes.add_patch(Wedge((0.0, 0.0), outside, 0, 360, width=wall, facecolor=BODY_COLORS["ring"], **outline))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import textwrap
-from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -14,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from asperity.show.style import ACCENT, CONTACT_LABELS, CONTACT_STYLES, MARK, MUTED, STYLE, torque_colors
+from asperity.types import Document
 from asperity.zou2025 import preset
 from asperity.zou2025.criteria import peak
 from asperity.zou2025.curves import Curves
@@ -43,7 +43,7 @@ def axis_label(axis: Axis, exponent: int) -> str:
     return f"{axis.label} ({power}{axis.unit})" if axis.unit or exponent else axis.label
 
 
-def _styles(panel: Panel) -> list[dict[str, Any]]:
+def _styles(panel: Panel) -> list[Document]:
     if panel.kind == "contacts":
         return [{**CONTACT_STYLES[name], "label": CONTACT_LABELS[name]} for name in panel.curves]
     if panel.kind == "single":

@@ -15,6 +15,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.made_files import IMAGE, Kind
+from asperity.types import Document
 from asperity.writing import if_abandoned, write_image, write_text
 from asperity.zou2025.criteria import CRITERIA, Claim
 from asperity.zou2025.curves import Curves
@@ -90,7 +91,7 @@ def write_panel(panel: Panel, folder: Path) -> None:
     _write_rows(folder / f"figure_{panel.name}.csv", [dict(zip(columns, p, strict=True)) for p in points])
 
 
-def table_1_rows(curves: Curves) -> list[dict[str, Any]]:
+def table_1_rows(curves: Curves) -> list[Document]:
     """The cases of Table 1: range of the varied quantity, K_t at both ends and its maximum; column → value."""
     rows = []
     for case in "abcdef":
@@ -110,7 +111,7 @@ def table_1_rows(curves: Curves) -> list[dict[str, Any]]:
     return rows
 
 
-def table_2_rows(curves: Curves) -> list[dict[str, Any]]:
+def table_2_rows(curves: Curves) -> list[Document]:
     """The joint of Table 2 at whole output torques: forces and torsional stiffness; column → value."""
     loads = curves.loads
     columns = {
@@ -127,7 +128,7 @@ def table_2_rows(curves: Curves) -> list[dict[str, Any]]:
     return [{k: float(v[i]) for k, v in columns.items()} for i in range(0, size, (size - 1) // 5)]
 
 
-def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any]:
+def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> Document:
     """Verdicts, criteria, assumptions and the cases of the tables as one document."""
     return {
         "paper": _PAPER,
@@ -141,7 +142,7 @@ def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any
     }
 
 
-def write_verdicts(document: dict[str, Any], folder: Path) -> None:
+def write_verdicts(document: Document, folder: Path) -> None:
     """Write ``table_1.csv``, ``table_2.csv`` and ``claims.json``."""
     for table in ("table_1", "table_2"):
         _write_rows(folder / f"{table}.csv", document[table])

@@ -5,11 +5,11 @@ from __future__ import annotations
 import contextlib
 import json
 import textwrap
-from typing import Any
 
 import click
 
 from asperity.cli.progress import progress_bar
+from asperity.types import Document
 from asperity.zou2025.claims import judge
 from asperity.zou2025.curves import Curves, joint_curves, pair_curves
 from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_verdicts
@@ -18,7 +18,7 @@ from asperity.zou2025.panels import all_panels
 _WIDTH = 110
 
 
-def _table(rows: list[dict[str, Any]], columns: dict[str, str]) -> list[str]:
+def _table(rows: list[Document], columns: dict[str, str]) -> list[str]:
     """Rows as an aligned text table; ``columns`` maps keys to headings."""
     cells = [list(columns.values())]
     cells += [
@@ -32,7 +32,7 @@ def _verdict(met: bool) -> str:
     return click.style("met    ", fg="green") if met else click.style("not met", fg="red", bold=True)
 
 
-def _claim_lines(claim: dict[str, Any]) -> list[str]:
+def _claim_lines(claim: Document) -> list[str]:
     panels = ", ".join(claim["panels"])
     lines = [
         f"{claim['name']:<6} {_verdict(claim['met'])}  {click.style(claim['title'], bold=True)} ({panels})"
@@ -45,7 +45,7 @@ def _claim_lines(claim: dict[str, Any]) -> list[str]:
     return lines
 
 
-def _report(document: dict[str, Any]) -> str:
+def _report(document: Document) -> str:
     """The document of :func:`asperity.zou2025.files.verdict_document` as text."""
     contacts = ("sp", "pwr", "pwl", "wro", "wlo")
     lines = [

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from asperity.cli.joint_input import read_case_of_branches
 from asperity.cli.progress import progress_bar
 from asperity.cli.study_output import show_bounds, show_status
 from asperity.cli.terminal import about, print_json, save_image, show_blocks
 from asperity.joint_file.quantity_key import parse_distribution
+from asperity.types import Document
 from asperity.writing import check_image
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def uncertainty(
         save_image(uncertainty_figure(dataset, result=dataset["result"].values[0]), plot)
 
 
-def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
+def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> Document:
     """Document of drives whose branches are drawn one by one."""
     from asperity.study.tolerances.branch_scatter import branch_scatter
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 import click
 from rich.text import Text
@@ -16,6 +15,7 @@ from asperity.errors import InputError
 from asperity.made_files import DOCUMENT, REPORT
 from asperity.report.pdf import report_pdf, require_typst
 from asperity.report.validation_report import shown, validation_report
+from asperity.types import Document
 from asperity.validation.run import run_checks, validation_document
 from asperity.views.html import report_html
 from asperity.writing import check_file, replacing, write_text
@@ -49,7 +49,7 @@ def validate(as_json: bool, out: str | None) -> None:
         click.get_current_context().exit(1)
 
 
-def _show(document: dict[str, Any]) -> None:
+def _show(document: Document) -> None:
     """The checks, below their models, and a count."""
     target = console()
     for model, rows in groupby(document["checks"], key=lambda row: row["model"]):

@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
 from asperity.drive.layout.sizes import SECTORS, Choice, ContactLength, Entry, Range, Size
 from asperity.engine.arrays import xp
-from asperity.types import Array, Real
+from asperity.types import Array, Document, Real
 
 #: Tables of a joint file in SI units.
 Tables = Mapping[str, Any]
@@ -353,7 +353,7 @@ class DriveType:
             for contact in self.contacts
         ]
 
-    def deviations(self, branch: Tables) -> dict[str, Any]:
+    def deviations(self, branch: Tables) -> Document:
         """Deviations of the tracks that a section [[branch]] states, 0 for the others [m]."""
         return {name: branch.get(f"{name}_deviation", 0.0) for name in self.sized_tracks({})}
 

@@ -20,7 +20,7 @@ from asperity.drive.layout.drive_type import (
 )
 from asperity.drive.layout.sizes import ContactLength
 from asperity.engine.arrays import xp
-from asperity.types import Array
+from asperity.types import Array, Document
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +54,7 @@ class ListedType(DriveType):
             if roller["place"] != "axis"
         }
 
-    def deviations(self, branch: Tables) -> dict[str, Any]:
+    def deviations(self, branch: Tables) -> Document:
         """Deviations of the rollers that a section [[branch]] states [m]."""
         return dict(branch.get("deviation", {}))
 

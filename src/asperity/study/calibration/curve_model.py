@@ -23,6 +23,7 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
+from asperity.types import Document
 
 #: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
 #: torque capacity finds back. A fit that ends there is refused.
@@ -216,7 +217,7 @@ class CurveModel:
         play = play_of(self.values)
         return np.asarray(play_compliance(play=play, output_torque=jnp.asarray(self.measurement.torque)))
 
-    def _play(self, point: dict[str, Any]) -> tuple[Any, Any]:
+    def _play(self, point: Document) -> tuple[Any, Any]:
         """Play angle and take-up torque: unknowns, or as the joint file has them; nothing where it has none."""
         stated = self.values.get("play", {})
         names = ("angle", "take_up_torque")
@@ -229,7 +230,7 @@ class CurveModel:
             return np.sign(self.measurement.torque)
         return tanh(self.measurement.torque / width)
 
-    def curve_part(self, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh) -> Any:
+    def curve_part(self, point: Document, tanh: Callable[[Any], Any] = np.tanh) -> Any:
         """What play, offset and drift add to the angles, shape (points,) [rad]; ``tanh`` is NumPy's or JAX's."""
         angle, width = (0.0, 0.0) if self.rolls else self._play(point)
         total = 0.5 * angle * self._taken_up(width, tanh)

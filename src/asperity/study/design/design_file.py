@@ -29,6 +29,7 @@ from asperity.study.design.design_problem import (
 from asperity.study.design.implied_limits import implied_limits
 from asperity.study.design.rounding import MOST_STEPPED
 from asperity.study.parameters import refuse_twice
+from asperity.types import Document
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
 
@@ -149,7 +150,7 @@ def design_from_tables(
     return problem
 
 
-def _table(value: Any, name: str) -> dict[str, Any]:
+def _table(value: Any, name: str) -> Document:
     if not isinstance(value, dict):
         raise InputError(f"{name}: expected a table, got {quoted(value)}")
     if len(value) > _MOST_ENTRIES:
@@ -172,7 +173,7 @@ def _count(value: Any, name: str, lowest: int, highest: int) -> int:
     return value
 
 
-def _flat(table: Mapping[str, Any], path: str) -> Iterator[tuple[str, dict[str, Any]]]:
+def _flat(table: Mapping[str, Any], path: str) -> Iterator[tuple[str, Document]]:
     """Leaf tables of bounds, whether their dotted path is quoted or not."""
     for name, value in table.items():
         below = f"{path}.{name}" if path else name
@@ -193,7 +194,7 @@ def _check_count(variables: Sequence[object]) -> None:
         raise InputError(f"variables: at most {MOST_STEPPED} variables may have a step, got {stepped}")
 
 
-def _variable(path: str, entry: dict[str, Any], kind: str | None) -> Variable:
+def _variable(path: str, entry: Document, kind: str | None) -> Variable:
     where = f"variables.{path}"
     try:
         key = key_at(path, kind)
@@ -256,7 +257,7 @@ def _finish_bounds(name: Any, path: str) -> tuple[float, float]:
 
 
 def _objectives(
-    table: dict[str, Any], level: StiffnessLevel, values: Values, results: Mapping[str, Result]
+    table: Document, level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> tuple[Objective, ...]:
     _only(table, ("maximise", "minimise"), "objective")
     goals = []
@@ -363,7 +364,7 @@ def _refuse_other_sense(values: Values, limit: float, written: str) -> None:
         )
 
 
-def _worst_case(table: dict[str, Any]) -> WorstCase:
+def _worst_case(table: Document) -> WorstCase:
     _only(table, ("torque", "tolerances", "samples", "seed"), "worst_case")
     torques: tuple[float, ...] = ()
     if "torque" in table:

@@ -17,6 +17,7 @@ from asperity.results import RESULTS
 from asperity.results.torque_capacity import JUDGED
 from asperity.study.datasets import number_or_null
 from asperity.study.design.design_problem import DesignProblem
+from asperity.types import Document
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 #: Largest optimality residual of a local optimum.
 OPTIMAL = 1e-3
-Diagnostics = dict[str, Any]
+Diagnostics = Document
 
 
 @dataclass(frozen=True)
@@ -301,7 +302,7 @@ def front_diagnostics(
     return told
 
 
-def design_document(result: DesignResult) -> dict[str, Any]:
+def design_document(result: DesignResult) -> Document:
     """A design as plain data in SI units: objective before and after, variables, limits, starts, results of the joint.
 
     Its ``diagnostics`` are as in the document of ``asperity joint``.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.stats import qmc
@@ -12,6 +11,7 @@ from scipy.stats import qmc
 from asperity.errors import InputError
 from asperity.joint_file.si_tables import contact_in, numeric_keys
 from asperity.study.design.design_problem import DesignProblem
+from asperity.types import Document
 
 #: More toleranced numbers have too many corners; they are sampled instead.
 MOST_CORNERED = 7
@@ -33,7 +33,7 @@ class Scenarios:
     counted: np.ndarray
     base: dict[str, float]
 
-    def changes(self, point: dict[str, Any]) -> dict[str, np.ndarray]:
+    def changes(self, point: Document) -> dict[str, np.ndarray]:
         """Numbers of the joint file in every state: dotted path → [SI], shape (scenarios,) or (points, scenarios).
 
         Of the variables by dotted path [SI]: one number, or shape (points, 1) for many designs at once.

@@ -15,7 +15,7 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -35,6 +35,7 @@ from asperity.study.sweep.store_layout import (
     unfinished_blocks,
 )
 from asperity.study.sweep.sweep_plan import PLAN, Plan
+from asperity.types import Document
 from asperity.writing import cannot_write, check_folder, interrupted_afterwards
 
 if TYPE_CHECKING:
@@ -93,7 +94,7 @@ def write_block(
 
 
 @functools.lru_cache(maxsize=2)
-def _arrays(path: str, _made: tuple[int, int]) -> dict[str, Any]:
+def _arrays(path: str, _made: tuple[int, int]) -> Document:
     """The arrays of a store, opened once in a process: to open them for each block costs as much as to write it."""
     group = store_group(path, "r+")
     # a chunk that is all nan is written like any other, so that a missing chunk always means damage
@@ -156,7 +157,7 @@ def check_store(path: str | Path, *inputs: str | Path) -> None:
             )
 
 
-def _not_of_store(folder: Path, stored: dict[str, Any]) -> Iterator[Path]:
+def _not_of_store(folder: Path, stored: Document) -> Iterator[Path]:
     """Files below a store that Zarr has not written for its sweep: neither descriptions nor chunks of its arrays."""
     arrays = stored_arrays(stored)
     groups = {name.rpartition("/")[0] for name in arrays} - {""}

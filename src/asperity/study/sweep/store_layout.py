@@ -22,6 +22,7 @@ from asperity.study.datasets import (
     row_dimensions,
 )
 from asperity.study.sweep.sweep_plan import PLAN, Plan
+from asperity.types import Document
 
 #: Name of the attribute with the sweep, and of the array with a mark for each finished block.
 MARKS = "progress/finished"
@@ -34,7 +35,7 @@ def store_group(path: str | Path, mode: str) -> Any:
     return require("zarr").open_group(str(path), mode=mode)
 
 
-def stored_plan(folder: Path) -> dict[str, Any] | None:
+def stored_plan(folder: Path) -> Document | None:
     """The sweep that a store belongs to."""
     if not (folder / "zarr.json").is_file():
         return None
@@ -45,13 +46,13 @@ def stored_plan(folder: Path) -> dict[str, Any] | None:
     return stored if isinstance(stored, dict) else None
 
 
-def stored_arrays(stored: dict[str, Any]) -> set[str]:
+def stored_arrays(stored: Document) -> set[str]:
     """Names of all arrays that a store with this sweep may have, below the folder of the store."""
     axes = (axis["path"] for axis in stored["axes"])
     return {"status", MARKS, *axes, *stored["results"], *ROW_COORDINATES}
 
 
-def plan_identity(plan: Plan) -> dict[str, Any]:
+def plan_identity(plan: Plan) -> Document:
     """What distinguishes the store of one sweep from that of another."""
     return {**plan.as_dict(), "version": __version__, "format": FORMAT}
 
@@ -63,7 +64,7 @@ def build_store(folder: Path, plan: Plan) -> None:
     dims = tuple(axis.path for axis in plan.axes)
     checksum = zarr.codecs.Crc32cCodec()
 
-    def add(name: str, dimensions: tuple[str, ...], values: np.ndarray, attrs: dict[str, Any]) -> None:
+    def add(name: str, dimensions: tuple[str, ...], values: np.ndarray, attrs: Document) -> None:
         made = group.create_array(
             name,
             shape=values.shape,
@@ -81,7 +82,7 @@ def build_store(folder: Path, plan: Plan) -> None:
         row_shape: tuple[int, ...],
         dtype: str,
         fill: float,
-        attrs: dict[str, Any],
+        attrs: Document,
     ) -> None:
         made = group.create_array(
             name,
@@ -104,7 +105,7 @@ def build_store(folder: Path, plan: Plan) -> None:
     group.attrs.update({**common_attributes("sweep of a joint"), PLAN: json.dumps(plan_identity(plan))})
 
 
-def store_coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.ndarray, dict[str, Any]]]:
+def store_coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.ndarray, Document]]:
     """Name, dimensions, values and attributes of each coordinate of a sweep."""
     for axis in plan.axes:
         yield axis.path, *coordinate(axis)

@@ -15,6 +15,7 @@ from asperity.joint_file.si_tables import AnyCase, Values, si_values
 from asperity.results import Result, chosen_results
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import SweepAxis, check_axes
+from asperity.types import Document
 
 #: Attribute of a dataset or a store with the sweep that it belongs to, as JSON.
 PLAN = "asperity_sweep"
@@ -79,7 +80,7 @@ class Plan:
         """Size of all results in memory, and about their size on disk."""
         return self.points * (1 + 8 * sum(len(row.row_names) for row in self.rows))
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Document:
         """Everything that the results depend on, as plain data."""
         return json.loads(
             json.dumps(

@@ -19,6 +19,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.si_tables import si_values
 from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
+from asperity.types import Document
 
 #: Shares of the draws below which the stated values lie.
 QUANTILES = (0.025, 0.5, 0.975)
@@ -45,7 +46,7 @@ class BranchScatter:
     torque: float
     seed: int
 
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """Quantiles and shares as plain data, for JSON; None where there is no number."""
 
         def told(values: np.ndarray) -> list[float] | None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from asperity.study.datasets import number_or_null
 from asperity.study.tolerances.sensitivity import FINISHED_PART
+from asperity.types import Document
 
 if TYPE_CHECKING:
     import xarray
@@ -27,7 +28,7 @@ TOLERANCES_OF_PARTS = (
 )
 
 
-def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
+def sensitivity_document(dataset: xarray.Dataset) -> Document:
     """The sensitivities as plain data: derivatives and elasticities by input; what has no value is null."""
     inputs = dataset["input"].values.tolist()
     return {
@@ -68,12 +69,12 @@ def failures(dataset: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str
         )
 
 
-def uncertainty_document(dataset: xarray.Dataset) -> dict[str, Any]:
+def uncertainty_document(dataset: xarray.Dataset) -> Document:
     """Intervals and indices as plain data, without the samples; what has no value is null."""
     inputs = dataset["input"].values.tolist()
     indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
 
-    def told(one: xarray.Dataset) -> dict[str, Any]:
+    def told(one: xarray.Dataset) -> Document:
         low, median, high = one["quantiles"].values
         return {
             "unit": str(one["unit"].item()),

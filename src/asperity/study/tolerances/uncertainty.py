@@ -24,6 +24,7 @@ from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
 from asperity.study.tolerances.sensitivity import refuse_failed
+from asperity.types import Document
 
 if TYPE_CHECKING:
     import xarray
@@ -172,7 +173,7 @@ def _cube(inputs: int, samples: int, seed: int) -> np.ndarray:
     return np.clip(np.concatenate([np.full((1, inputs), 0.5), random, design]), _OPEN, 1.0 - _OPEN)
 
 
-def _problem(inputs: int) -> dict[str, Any]:
+def _problem(inputs: int) -> Document:
     """The unit cube as SALib takes it."""
     return {"num_vars": inputs, "names": list(map(str, range(inputs))), "bounds": [[0.0, 1.0]] * inputs}
 
