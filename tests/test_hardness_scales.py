@@ -6,7 +6,12 @@ import pint
 import pytest
 
 from asperity.errors import InputError
-from asperity.hardness_scales import rockwell_of_brinell, vickers_of_rockwell
+from asperity.hardness_scales import (
+    hardness_words,
+    rockwell_of_brinell,
+    rockwell_of_vickers,
+    vickers_of_rockwell,
+)
 from asperity.joint_file.limits import HARDNESS
 from asperity.library import read_materials
 from asperity.units import Dimension, from_si, parse_quantity, parse_tolerance
@@ -118,3 +123,14 @@ def test_tolerances_of_hardness():
 @pytest.mark.parametrize(("text", "pascal"), [("700 HV", 700 * VICKERS), ("60 HRC", 697 * VICKERS)])
 def test_the_key_of_joint_files_reads_both_scales(text, pascal):
     assert HARDNESS.read(text).value == pytest.approx(pascal, rel=1e-14)
+
+
+@pytest.mark.parametrize(("rockwell", "vickers"), PRINTED.items())
+def test_a_drawing_states_the_printed_rockwell_number_of_a_vickers_number(rockwell, vickers):
+    assert rockwell_of_vickers(vickers=vickers) == pytest.approx(rockwell)
+    assert hardness_words(pressure=9.80665e6 * vickers) == f"{vickers:g} HV, of steel {rockwell:g} HRC"
+
+
+@pytest.mark.parametrize("vickers", [128, 237, 941, 1500])
+def test_outside_the_table_a_drawing_states_vickers_alone(vickers):
+    assert hardness_words(pressure=9.80665e6 * vickers) == f"{vickers} HV"

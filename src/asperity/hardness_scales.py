@@ -68,6 +68,28 @@ def vickers_of_rockwell(*, rockwell_c: float) -> float:
     return low + (rockwell_c - _FIRST - index) * (high - low)
 
 
+def rockwell_of_vickers(*, vickers: float) -> float | None:
+    """Rockwell C hardness of a Vickers number of such a steel, by the same table; None outside 238 to 940 HV."""
+    if not _VICKERS[0] <= vickers <= _VICKERS[-1]:
+        return None
+    index = min(bisect_right(_VICKERS, vickers) - 1, len(_VICKERS) - 2)
+    low, high = _VICKERS[index : index + 2]
+    return _FIRST + index + (vickers - low) / (high - low)
+
+
+def hardness_words(*, pressure: float) -> str:
+    """A hardness [Pa] as a drawing states it: in HV, and, for steels within ASTM E140, in HRC.
+
+    Examples
+    --------
+    >>> hardness_words(pressure=6.835e9), hardness_words(pressure=1.26e9)
+    ('697 HV, of steel 60 HRC', '128 HV')
+    """
+    vickers = pressure * VICKERS_PRESSURE[1] / VICKERS_PRESSURE[0]
+    rockwell = rockwell_of_vickers(vickers=vickers)
+    return f"{vickers:.0f} HV" + ("" if rockwell is None else f", of steel {rockwell:.0f} HRC")
+
+
 def rockwell_of_brinell(*, brinell: float) -> float | None:
     """Rockwell C hardness of a Brinell number of such a steel, by the same table; None outside 226 to 739 HBW."""
     if not _BRINELL[0] <= brinell <= _BRINELL[-1]:

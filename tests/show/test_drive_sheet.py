@@ -187,7 +187,7 @@ def test_a_sheet_states_tolerances_materials_crowns_and_surfaces(planar_case):
         "ring inside ⌀99.9400 ±0.0040 (IT3)",
         "axes of planet ⌀60",
         "sp, pr: 10.000 ±0.050",
-        "3 × planet: 52100, hardness 7.32 GPa",
+        "3 × planet: 52100, hardness 746 HV, of steel 62 HRC",
         "Section along the axis,",
         "B",
     } <= set(drawn.texts)

@@ -68,7 +68,7 @@ def test_a_part_states_what_the_file_states_and_names_what_it_does_not(sheets):
     drawn = sheets("planetary_hollow", changed)
     planet = drawn["planet"].texts
     assert {
-        "⌀40.0000 ±0.0060 (IT5)", "bore ⌀26.000 ±0.010 (IT6)", "14.00 ±0.10", "hardness 7.32 GPa, as a pressure",
+        "⌀40.0000 ±0.0060 (IT5)", "bore ⌀26.000 ±0.010 (IT6)", "14.00 ±0.10", "hardness 746 HV, of steel 62 HRC",
         "roundness, runout, edges: not stated",
     } <= set(planet)  # fmt: skip
     assert not any(text.startswith(("tolerance", "length:")) for text in planet)

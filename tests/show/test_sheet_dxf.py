@@ -30,6 +30,18 @@ def test_entities_have_true_sizes_and_layers():
     assert document.layers.get("OUTLINE").dxf.lineweight == 50
 
 
+def test_the_extents_and_the_first_view_are_those_of_the_paper():
+    ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
+    document = ezdxf.read(io.StringIO(sheet_dxf(SHEET)))
+    # paper of 100 mm by 50 mm at 2:1, its middle at the origin
+    assert tuple(document.header["$EXTMIN"])[:2] == (-25.0, -12.5)
+    assert tuple(document.header["$EXTMAX"])[:2] == (25.0, 12.5)
+    assert tuple(document.modelspace().dxf.extmin)[:2] == (-25.0, -12.5)
+    (view,) = document.viewports.get("*Active")
+    assert tuple(view.dxf.center)[:2] == (0.0, 0.0)
+    assert 25.0 <= view.dxf.height <= 30.0
+
+
 def test_the_same_sheet_makes_the_same_text_and_leaves_the_options_of_ezdxf():
     ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
     before = ezdxf.options.write_fixed_meta_data_for_testing

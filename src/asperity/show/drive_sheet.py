@@ -12,6 +12,7 @@ import numpy as np
 from asperity.drive.layout.drive import CARRIER, speed_ratio
 from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.types import TYPES
+from asperity.hardness_scales import hardness_words
 from asperity.joint.description import Joint, contact_values, tracks_of
 from asperity.joint.evaluation import JointForces, JointResult
 from asperity.joint_file.stated_parts import StatedParts
@@ -304,7 +305,7 @@ def part_lines(joint: Joint, stated: StatedParts) -> list[str]:
 
 def material_words(joint: Joint, stated: StatedParts, body: int) -> str:
     """Material of a body with its hardness."""
-    hardness = format_quantity(float(joint.materials[body].hardness), "GPa")
+    hardness = hardness_words(pressure=float(joint.materials[body].hardness))
     return f"{stated.bodies[body].material}, hardness {hardness}"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from asperity.hardness_scales import hardness_words
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedParts
@@ -120,7 +121,7 @@ def _lines(joint: Joint, body: int, stated: StatedParts, interference: float | N
     part, shape, material = stated.bodies[body], joint.shapes[body], joint.materials[body]
     lines = [
         f"material {part.material}",
-        f"hardness {format_quantity(float(material.hardness), 'GPa')}, as a pressure",
+        f"hardness {hardness_words(pressure=float(material.hardness))}",
         f"yield strength {format_quantity(float(material.yield_strength), 'MPa')}",
         *crown_lines(stated, body),
     ]

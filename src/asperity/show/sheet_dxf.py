@@ -27,6 +27,7 @@ LAYERS: dict[Style, str] = {
 }
 _TEXT_LAYER = "TEXT"
 _ALIGNED, _DIAMETER = 1, 3  # kinds of DIMENSION entities
+_VIEW = 1.05  # height of what a CAD program shows first, over that of the sheet
 _BLACK = 7  # black on white, white on black
 _CODES = {"⌀": "%%c", "°": "%%d", "±": "%%p"}
 
@@ -56,6 +57,7 @@ def sheet_dxf(sheet: Sheet) -> str:
         document.layers.add(_TEXT_LAYER, color=_BLACK, lineweight=18)
         document.header.custom_vars.append("Generator", MARK)
         document.header["$LTSCALE"] = 4.0 / sheet.scale
+        _show_paper(document, sheet)
         space = document.modelspace()
         _draw(space, sheet.items, sheet.scale, {item for of in sheet.dimensions for item in of.items})
         for dimension in sheet.dimensions:
@@ -65,6 +67,18 @@ def sheet_dxf(sheet: Sheet) -> str:
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = fixed
     return target.getvalue()
+
+
+def _show_paper(document: Any, sheet: Sheet) -> None:
+    """State the extents of the drawing, those of its paper, and open it with the whole sheet in view."""
+    left, right, low, high = sheet.window
+    document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
+    document.header["$LIMMIN"], document.header["$LIMMAX"] = (left, low), (right, high)
+    document.modelspace().reset_extents((left, low, 0.0), (right, high, 0.0))
+    document.modelspace().reset_limits((left, low), (right, high))
+    document.set_modelspace_vport(
+        height=_VIEW * (high - low), center=(0.5 * (left + right), 0.5 * (low + high))
+    )
 
 
 def _dimension(document: Any, dimension: Dimension, scale: float) -> None:
