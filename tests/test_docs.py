@@ -198,8 +198,23 @@ def test_readme_marks_both_commands_for_ci():
         assert "\n" not in block[1], "one command, one line"
 
 
+def test_readme_prints_what_its_command_prints():
+    from click.testing import CliRunner
+
+    from asperity.cli.commands import asperity as command
+
+    file = ROOT / "examples" / "planetary.toml"
+    shown = CliRunner().invoke(command, ["joint", str(file)], catch_exceptions=False).stdout
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (printed,) = re.findall(r"```text\n(.*?)```", readme, flags=re.DOTALL)
+    words = " ".join(shown.replace(f"{file}:", "planetary.toml:").split())
+    for line in filter(None, printed.splitlines()):
+        for part in re.split(r"  +", line):
+            assert part in words or set(part.split()) <= set(words.split()), part
+
+
 @pytest.mark.slow
-def test_readme_table_is_what_its_command_gives():
+def test_the_table_of_the_papers_joint_is_what_its_command_gives():
     from click.testing import CliRunner
 
     from asperity.cli.commands import asperity as command
@@ -211,7 +226,7 @@ def test_readme_table_is_what_its_command_gives():
         label: [float(cell) for cell in cells.split("|")]
         for label, cells in re.findall(
             r"^\| (as published|bodies in series|assembled)[^|]*\|[^|]*\| ([\d.e| ]+) \|$",
-            (ROOT / "README.md").read_text(encoding="utf-8"),
+            (DOCS / "questions.md").read_text(encoding="utf-8"),
             flags=re.MULTILINE,
         )
     }
