@@ -18,10 +18,10 @@ class Thing(Shown):
 def test_text_is_that_of_a_terminal():
     lines = [line.rstrip() for line in repr(Thing()).split("\n")]
     assert lines[:4] == ["a < b", "next", "", "Title"]
-    assert [line.split() for line in lines[5:6] + lines[7:]] == [
+    assert [line.split() for line in lines[4:5] + lines[6:]] == [
         ["what", "how", "much"], ["a", "1"], ["longer", "12", "<N>"],
     ]  # fmt: skip
-    assert len({len(line) for line in lines[7:]}) == 1  # numbers at the right
+    assert len({len(line) for line in lines[6:]}) == 1  # numbers at the right
 
 
 def test_html_is_escaped():

@@ -86,7 +86,7 @@ def test_the_capacity_is_told_with_the_contact_that_limits_it(call, joint_file, 
     by_hand = 0.12 * 1000.0 * 9.0 * 3.0 * 4e-3
     assert by_hand < capacity["output_torque_Nm"] < 1.05 * by_hand
     assert (capacity["limiting_contact"], capacity["meaning"]) == ("sp", "contact sp slips")
-    told = " ".join(call("joint", joint_file()).out.split())
+    told = " ".join(call("joint", joint_file(), "--all").out.split())
     assert "torque capacity 0 N·m: contact sp beyond first yield without torque (both directions)" in told
     standing = f"{capacity['output_torque_Nm']:.4g} N·m"
     assert f"torque capacity, standing {standing}: contact sp slips (both directions)" in told
@@ -103,9 +103,17 @@ def test_a_wedge_that_tightens_is_limited_by_lift_off(call, joint_file):
     assert (capacity["reverse"]["limit"], capacity["reverse"]["limiting_contact"]) == ("lift_off", "pwr")
 
 
-def test_the_tables_name_their_units_and_warn(call, joint_file):
-    outcome = call("joint", joint_file())
+@pytest.mark.parametrize("options", [(), ("--all",)])
+def test_the_tables_name_their_units_and_warn(call, joint_file, options):
+    outcome = call("joint", joint_file(), *options)
     assert (outcome.code, outcome.err) == (0, "")
+    further = (
+        "angle alpha between planet and loading roller 13.92 deg",
+        "direction theta from planet to loading roller 27.08 deg",
+        "wedge angle beta 13.16 deg",
+        "K_t asperities",
+        "Compliance of the assembled joint, by spring",
+    )
     told = " ".join(outcome.out.split())
     for text in (
         "3 planets, sun at 6000 rpm, preload 1000 N (interference 12.72 µm), output torque 5 N·m",
@@ -113,16 +121,14 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
         "N·m/arcmin",
         "46.3",
         "an upper bound",
-        "angle alpha between planet and loading roller 13.92 deg",
-        "direction theta from planet to loading roller 27.08 deg",
-        "wedge angle beta 13.16 deg",
         "Speed ratio -9",
         "Hertz pressure over first yield 2.035 at sp",
         "Asperities alone: outside the range of this law, real area over Hertz area",
-        "Assumptions (all in full with --all)",
-        "not in the file: section [bearings], ",
+        *(further if options else ["Assumptions (in full, and every table, with --all)"]),
+        "no section [bearings]" if options else "not in the file: section [bearings], ",
     ):
         assert text in told, text
+    assert options or not any(text in told for text in further)
     assert "\x1b" not in outcome.out
     assert max(map(len, outcome.out.splitlines())) <= 100
 

@@ -71,7 +71,7 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
     found["status"] = found["status"].where(found["status"] == 0, STATUS_NAMES.index("unbalanced"))
     show_points(found, {})
     lines = capsys.readouterr().out.splitlines()
-    head = lines[1].split("  ")
+    head = lines[0].split("  ")
     for text in ("preload [N]", "planet radius [mm]", "published stiffness output [N·m/rad]", "status"):
         assert text in [word.strip() for word in head]
     rows = [line.split() for line in lines if line.strip().startswith(("1000", "800"))]

@@ -91,7 +91,7 @@ def test_it_is_shown_in_the_terminal(folder, document):
     table = printed(run(folder, "joint", str(EXAMPLE))).split("Contact forces at standstill")[1]
     for name, contact in document["standing"]["contacts"].items():
         shown = f"{1e-6 * contact['mean_hertz_pressure_Pa']:.4g}"
-        line = next(line for line in table.splitlines() if line.startswith(f" {name} "))
+        line = next(line for line in table.splitlines() if line.startswith(f"{name} "))
         assert shown in line.split()
 
 

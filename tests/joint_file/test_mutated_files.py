@@ -242,7 +242,7 @@ def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     )
     monkeypatch.setattr(f"{reads}.laws_of_file", lambda *_: [])
     monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {"assumptions": []})
-    monkeypatch.setattr("asperity.cli.runs.joint.joint_screen", lambda *_: [Paragraph("N·m/rad")])
+    monkeypatch.setattr("asperity.cli.runs.joint.joint_screen", lambda *_, in_full: [Paragraph("N·m/rad")])
     count = 400 if kind == "zou2025" else 80
     codes, wrong = failures(count, 1, tmp_path, kind=kind, only_read=True)
     assert wrong == []

@@ -296,7 +296,7 @@ def test_what_is_assumed_in_short_and_in_full(planetary_view):
     heading, every = assumptions(planetary_view.document)
     assert (heading, list(every.items)) == (Heading("Assumptions"), list(told))
     heading, short = assumptions(planetary_view.document, in_full=False)
-    assert heading == Heading("Assumptions (all in full with --all)")
+    assert heading == Heading("Assumptions (in full, and every table, with --all)")
     assert isinstance(short, Bullets)
     names, law, fatigue = short.items
     assert names.startswith(

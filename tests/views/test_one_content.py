@@ -48,9 +48,9 @@ def shown_cells(view):
 def test_the_terminal_shows_every_cell(call, screens):
     view, file, _, _ = screens
     cells, figures = shown_cells(view)
-    words = set((call("joint", file).out + call("roll", file).out).split())
+    words = set((call("joint", file, "--all").out + call("roll", file).out).split())
     assert cells <= words
-    text = " ".join(call("joint", file).out.split())
+    text = " ".join(call("joint", file, "--all").out.split())
     for figure in figures:
         assert f"{figure.name} {figure.text}" in text
 

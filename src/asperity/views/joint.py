@@ -168,10 +168,15 @@ def in_its_direction(document: Document, name: str) -> Document:
 def contacts(view: SolvedView) -> list[Table]:
     """Forces, pressures and stiffness of the contacts that stand under the torque."""
     return [
-        *view.contact_table("forces", "Contact forces at standstill, under the torque"),
+        *contact_forces(view),
         *view.contact_table("crowns", "Crowned contacts"),
         *view.contact_table("stiffness", "Contact stiffness"),
     ]
+
+
+def contact_forces(view: SolvedView) -> list[Table]:
+    """Forces and pressures of the contacts that stand under the torque."""
+    return view.contact_table("forces", "Contact forces at standstill, under the torque")
 
 
 def drive(view: SolvedView) -> Table:
@@ -286,7 +291,7 @@ OF_EVERY_JOINT = ("standing: ", "torque capacity, standing: ", "every track ", "
 def assumptions(document: Document, *, in_full: bool = True) -> Iterator[Block]:
     """What is assumed: in full, or by name what the file leaves out and in full what is not so in every joint."""
     told = document["assumptions"]
-    yield Heading(f"Assumptions{'' if in_full else ' (all in full with --all)'}")
+    yield Heading(f"Assumptions{'' if in_full else ' (in full, and every table, with --all)'}")
     left_out = [] if in_full else [text for text in told if text.startswith("no ")]
     names = ", ".join(text.partition(":")[0].removeprefix("no ") for text in left_out)
     first = [f"not in the file: {names}"] if names else []

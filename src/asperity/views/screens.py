@@ -9,6 +9,7 @@ from asperity.views.blocks import Block, BlockDocument, Figures, Heading, Paragr
 from asperity.views.branches import branches
 from asperity.views.joint import (
     assumptions,
+    contact_forces,
     contacts,
     drive,
     key_figures,
@@ -33,14 +34,17 @@ def opening(view: SolvedView, source: str) -> Iterator[Block]:
     yield from verdict(view)
 
 
-def joint_screen(view: SolvedView, source: str) -> Iterator[Block]:
-    """The joint that stands under its torque."""
+def joint_screen(view: SolvedView, source: str, *, in_full: bool = True) -> Iterator[Block]:
+    """The joint that stands under its torque; in brief without what details the stiffness, and without the drive."""
     yield from opening(view, source)
-    yield from stiffness(view)
-    yield from budget(view.document)
-    yield from contacts(view)
-    yield drive(view)
-    yield from surfaces(view.document)
+    yield from stiffness(view, in_full=in_full)
+    if in_full:
+        yield from budget(view.document)
+        yield from contacts(view)
+        yield drive(view)
+        yield from surfaces(view.document)
+    else:
+        yield from contact_forces(view)
     yield from closing(view)
 
 

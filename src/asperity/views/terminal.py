@@ -69,8 +69,7 @@ def show(target: Console, blocks: Iterable[Block]) -> None:
         if isinstance(block, Picture):
             continue
         _show(target, block)
-        ruled = isinstance(block, Table) and _has_rules(target)  # whose last line is empty
-        if not (ruled or isinstance(block, Heading)):
+        if not isinstance(block, Heading):
             target.print()
 
 
@@ -91,7 +90,7 @@ def _show(target: Console, block: Block) -> None:
             _show_table(target, replace(figures_table(figures), title=""), head=False)
         case Table():
             for number, part in enumerate(fitting(block, target.width)):
-                if number and not _has_rules(target):
+                if number:
                     target.print()
                 _show_table(target, part)
         case Warnings(warned):
@@ -167,24 +166,20 @@ def _needed(shown: Table) -> int:
     return sum(widths) + _GAP * len(widths)
 
 
-def _has_rules(target: Console) -> bool:
-    """Whether tables have lines, which need an encoding that knows them."""
-    return target.encoding.lower().startswith("utf")
-
-
 def _show_table(target: Console, shown: Table, *, head: bool = True) -> None:
     """Print a table: numbers at the right, words at the left and wrapped, its title in bold."""
     from rich import box
     from rich.markup import escape
     from rich.table import Table as RichTable
 
-    lines = box.SIMPLE_HEAD if head and _has_rules(target) else None
+    lines = box.SIMPLE_HEAD if head and target.encoding.lower().startswith("utf") else None
     made = RichTable(
         title=escape(shown.title) if shown.title else None,
         title_justify="left",
         title_style="bold",
         box=lines,
         pad_edge=False,
+        show_edge=False,
         show_header=head,
     )
     for place, column in enumerate(shown.head):

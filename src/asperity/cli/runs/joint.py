@@ -42,4 +42,4 @@ def joint(
         print_json(document)
         return
     view = SolvedView(solved, document, made_interference(case, solved.result).size)
-    show_blocks(*joint_screen(view, file), *assumptions(document, in_full=in_full))
+    show_blocks(*joint_screen(view, file, in_full=in_full), *assumptions(document, in_full=in_full))
