@@ -71,7 +71,20 @@ def test_heads_give_way_before_columns_do():
     (part,) = fitting(table, 80)
     assert part.rows == table.rows
     assert " ".join(part.head[1].split()) == head[1]
-    assert max(len(line) for line in part.head[1].split("\n")) <= len("quantity")
+    assert max(len(line) for line in shown(table, width=80).splitlines()) <= 80
+
+
+def test_long_names_end_their_lines_between_parts_before_columns_move():
+    """The change stands beside both values, and what bounds one of them below it."""
+    bounded = "30552.2 N·m/rad (upper bound: pins rigid)"
+    rows = [("materials.52100.thermal_conductivity", "473 J/kg/K", bounded, "+150 %")]
+    table = Table("T", ("number or choice", "wheel_pair.toml", "wedge.toml", "change"), rows)
+    (part,) = fitting(table, 80)
+    assert part.head == table.head
+    assert [cell.replace("\n", "") for cell in part.rows[0][:2]] == list(rows[0][:2])
+    assert part.rows[0][0].split("\n")[0][-1] in "._"
+    assert part.rows[0][2].replace("\n", " ") == bounded
+    assert max(map(len, shown(table, width=80).splitlines())) <= 80
 
 
 def test_other_columns_of_words_keep_their_place():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from asperity.results.loads_document import shown_rows, state_of_case
@@ -26,16 +27,15 @@ _MISES = (
 
 def loads(document: Document) -> Iterator[Block]:
     """What the structure carries in each case, and how long its bearings live, from a document of loads."""
-    head = ("part", "load", *(case_title(case, "\n") for case in document["cases"]), "unit")
+    head = ("part", "load", "unit", *(case_title(case, "\n") for case in document["cases"]))
     rows = []
     before = ""
     for part, position, quantity_words, unit, values in shown_rows(document):
         place = f"{part}, {position}"
-        rows.append(
-            ("" if place == before else place, quantity_words, *map(number, values), unit_words(unit))
-        )
+        what = re.sub(r"\bum\b", "µm", quantity_words)
+        rows.append(("" if place == before else place, what, unit_words(unit), *map(number, values)))
         before = place
-    yield Table("Loads of the structure", head, rows, words=(0, 1))
+    yield Table("Loads of the structure", head, rows, words=(0, 1, 2))
     bearings = document["bearings"]
     if bearings:
         yield Table(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import io
+import re
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -30,7 +31,11 @@ if TYPE_CHECKING:
 WIDEST = 100
 
 _GAP = 3  # letters between two columns
-_SHORT_WORDS = 24  # letters of a column of words that wraps
+_SHORT_WORDS = 24  # letters of a column of words that wraps, unless one word has more
+_SHORTEST_WORDS = 16  # letters of such a column before columns move to a further table
+_LONGEST_WORD = 40  # letters of a word that is kept whole
+_SHORT_CELL = 20  # letters of a line of a number with words behind it
+_SHORTEST_LINES = (24, 20, 16, 12, 0)  # letters to which heads and such cells give way, in turn
 
 _VERDICT_STYLES = {"pass": "green", "FAIL": "bold red"}
 
@@ -118,12 +123,20 @@ def print_wrapped(target: Console, text: str, *, indent: int, style: str | None 
 def fitting(shown: Table, width: int) -> Iterator[Table]:
     """A table in parts that fit a width, so that no number is cut; the columns of words begin each of them.
 
-    First the heads give way, line by line; what still does not fit stands in further tables.
+    First heads and long cells give way, line by line; what still does not fit stands in further tables.
     """
     if _needed(shown) <= width:
         yield shown
         return
-    narrow = replace(shown, head=tuple(map(_wrapped, shown.head, _columns(shown))))
+    for letters in _SHORTEST_LINES:
+        narrow = _narrow(shown, letters)
+        if _needed(narrow) <= width:
+            yield narrow
+            return
+    narrow = replace(narrow, rows=[tuple(map(_parted, row)) for row in narrow.rows])
+    if _needed(narrow, _SHORTEST_WORDS) <= width:
+        yield narrow
+        return
     leading = [place for place in shown.words if place == shown.words.index(place)]
     numbers = [place for place in range(len(shown.head)) if place not in leading]
     title, taken = shown.title, list(leading)
@@ -151,19 +164,44 @@ def _chosen(shown: Table, places: Sequence[int], title: str) -> Table:
     )
 
 
-def _wrapped(head: str, cells: tuple[str, ...]) -> str:
-    """The head of a column in lines no longer than its cells, as far as its words allow."""
-    longest = max(map(len, (*head.split(), *cells)))
-    return "\n".join(part for line in head.split("\n") for part in textwrap.wrap(line, longest) or [""])
+def _narrow(shown: Table, letters: int) -> Table:
+    """A table whose heads have no longer lines than their cells, or than so many letters, as far as words allow."""
+    columns = [
+        cells if place in shown.words else tuple(_wrapped(cell, max(letters, _SHORT_CELL)) for cell in cells)
+        for place, cells in enumerate(_columns(shown))
+    ]
+    head = []
+    for text, cells in zip(shown.head, columns, strict=True):
+        lines = (line for cell in cells for line in cell.split("\n"))
+        head.append(_wrapped(text, max(letters, *map(len, text.split()), *map(len, lines), 1)))
+    return replace(shown, head=tuple(head), rows=list(zip(*columns, strict=True)))
 
 
-def _needed(shown: Table) -> int:
-    """Letters that a table needs in a line; columns of words need no more than some."""
+def _parted(cell: str) -> str:
+    """A cell whose long words, such as the names of keys and files, have lines that end between their parts."""
+    return re.sub(rf"(?=\S{{{_SHORT_WORDS + 1}}})(\S{{1,{_SHORT_WORDS - 1}}}[._/])", r"\1\n", cell)
+
+
+def _wrapped(text: str, letters: int) -> str:
+    """Lines of a text, none of which has more letters unless a single word or a number with its unit has."""
+    return "\n".join(
+        part
+        for line in text.split("\n")
+        for part in textwrap.wrap(line, letters, break_long_words=False, break_on_hyphens=False) or [""]
+    )
+
+
+def _needed(shown: Table, short: int = _SHORT_WORDS) -> int:
+    """Letters that a table needs in a line; columns of words need no more than ``short``, or their longest word."""
     widths = []
     for place, (head, cells) in enumerate(zip(shown.head, _columns(shown), strict=True)):
-        lines = max(map(len, (*head.split("\n"), *cells)), default=0)
-        widths.append(min(lines, _SHORT_WORDS) if place in shown.words else lines)
-    return sum(widths) + _GAP * len(widths)
+        texts = (head, *cells)
+        lines = max(len(line) for text in texts for line in text.split("\n"))
+        if place in shown.words:
+            word = max((len(word) for text in texts for word in text.split()), default=0)
+            lines = min(lines, max(short, min(word, _LONGEST_WORD)))
+        widths.append(lines)
+    return sum(widths) + _GAP * len(widths) - 1
 
 
 def _show_table(target: Console, shown: Table, *, head: bool = True) -> None:
