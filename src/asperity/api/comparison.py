@@ -234,6 +234,8 @@ def _lines(
 
 
 def _alike(one: NamedQuantity | str | None, other: NamedQuantity | str | None) -> bool:
+    if one is None or other is None:  # a number that is not known is as absent as one that is not there
+        return _shown(one) == _shown(other)
     if not (isinstance(one, NamedQuantity) and isinstance(other, NamedQuantity)):
         return one == other
     sizes = float(one.si), float(other.si)
