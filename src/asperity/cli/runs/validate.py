@@ -18,6 +18,7 @@ from asperity.report.validation_report import shown, validation_report
 from asperity.types import Document
 from asperity.validation.run import run_checks, validation_document
 from asperity.views.html import report_html
+from asperity.views.terminal import print_wrapped
 from asperity.writing import check_file, replacing, write_text
 
 
@@ -57,23 +58,20 @@ def _show(document: Document) -> None:
         for row in rows:
             verdict = Text("pass", "green") if row["passed"] else Text("FAIL", "bold red")
             count = f" ({row['values']} values, the worst:)" if row["values"] > 1 else ""
-            target.print(Text("  ") + verdict + Text(f"  {row['quantity']}{count}"))
+            target.print(Text("  ") + verdict + Text(f"  {row['quantity']}{count}"), soft_wrap=True)
             if row["note"]:
-                target.print(Text(f"        {row['note']}"))
+                print_wrapped(target, f"        {row['note']}", indent=8)
                 continue
             unit = "" if row["unit"] == "-" else f" {row['unit']}"
             kind, of = ("difference", unit) if row["absolute"] else ("relative deviation", "")
-            target.print(
-                Text(
-                    f"        found {shown(row['found'], 8)}, expected {shown(row['expected'], 8)}{unit}\n"
-                    f"        {kind} {shown(row['deviation'], 2)}{of}, tolerance {shown(row['tolerance'], 2)}{of}; "
-                    f"{row['reference']}"
-                )
-            )
+            sizes = f"found {shown(row['found'], 8)}, expected {shown(row['expected'], 8)}{unit}"
+            apart = f"{kind} {shown(row['deviation'], 2)}{of}, tolerance {shown(row['tolerance'], 2)}{of}"
+            for line in (sizes, f"{apart}; {row['reference']}"):
+                print_wrapped(target, f"        {line}", indent=8)
     total = document["passed"] + document["failed"]
-    target.print(
-        Text(
-            f"{document['passed']} of {total} checks passed: asperity {document['asperity_version']}, source "
-            f"{document['source_sha256'][:16]}, Python {document['python']}, {document['platform']}"
-        )
+    print_wrapped(
+        target,
+        f"{document['passed']} of {total} checks passed: asperity {document['asperity_version']}, source "
+        f"{document['source_sha256'][:16]}, Python {document['python']}, {document['platform']}",
+        indent=2,
     )
