@@ -36,12 +36,22 @@ def load(view: SolvedView) -> Paragraph:
     size = "" if sectors is None else f"{sectors.words_of(number(document['geometry']['sectors']))}, "
     parts = [
         f"{size}{input_member(document)} at {quantity(document['input_speed_rad_per_s'], 'rpm')}",
-        f"preload {quantity(preload['force_N'], 'N')} (interference {quantity(preload['interference_m'], 'um')})",
+        f"preload {quantity(preload['force_N'], 'N')} ({_approach(document)} {_short(preload['interference_m'])})",
         f"output torque {quantity(document['input']['load']['output_torque'], 'N*m')}",
     ]
     return Paragraph(
         "; ".join([", ".join(parts), *_temperatures(preload), *_loading_cam(preload)]), strong=True
     )
+
+
+def _approach(document: Document) -> str:
+    """What the interference is: where a spring presses the bodies, they have none, and the spring travels."""
+    return "spring travel" if document["input"]["drive"].get("pressed_by") == "spring" else "interference"
+
+
+def _short(size: float | None) -> str:
+    """A length in micrometres, above one millimetre in millimetres."""
+    return quantity(size, "mm" if size is not None and size >= 1e-3 else "um")
 
 
 def _temperatures(preload: Document) -> list[str]:
@@ -200,8 +210,9 @@ def drive(view: SolvedView) -> Table:
     ]
     if view.made_interference is not None:
         has_rings = any(shape.kind == "ring" for shape in view.solved.joint.shapes)
-        made = "interference to be made" if has_rings else "approach of the axes from first touch"
-        rows.append((made, quantity(view.made_interference, "um")))
+        approach = "spring travel" if _approach(document) == "spring travel" else "approach of the axes"
+        made = "interference to be made" if has_rings else f"{approach} from first touch"
+        rows.append((made, _short(view.made_interference)))
     return Table("Drive", ("quantity", "value"), rows, words=(0, 1))
 
 
