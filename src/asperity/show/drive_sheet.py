@@ -345,10 +345,10 @@ def _longest(text: str, width: float) -> int:
 
 def load_lines(joint: Joint, forces: JointForces) -> list[str]:
     """What stands beside bodies that are drawn apart."""
-    sectors = "one sector" if joint.unlike is None else "all sectors"
+    of = "" if joint.drive.sectors == 1 else " of one sector" if joint.unlike is None else " of all sectors"
     entry, out = (name.replace("_", " ") for name in joint.ends)
     return [
-        f"Forces on the bodies of {sectors}, drawn apart, without centrifugal forces.",
+        f"Forces on the bodies{of}, drawn apart, without centrifugal forces.",
         "Arrows show directions, not sizes.",
         f"Torque at the {entry} {format_quantity(float(forces.input_torque), 'N*m')}, "
         f"at the {out} {format_quantity(float(forces.output_torque), 'N*m')}.",

@@ -34,45 +34,48 @@ function keys(drawing, where, largest) {
 /** Circles of all tracks of a drive, with the contact forces of its first sector. */
 export function driveDrawing(drawing, document_) {
   const rings = drawing.rings.map((ring) => ({ inner: 1e3 * ring.inner_radius_m, wall: 1e3 * ring.wall_m }));
-  const rollers = drawing.rollers.map((roller) => 1e3 * (Math.hypot(roller.x_m, roller.y_m) + roller.radius_m));
   const shown = rings.map(({ inner, wall }) => ({ inner, wall, outer: inner + Math.min(wall, LONGEST_WALL * inner) }));
   shown.sort((one, other) => other.outer - one.outer);
-  const reach = Math.max(...rollers, ...shown.map((ring) => ring.outer));
-  const half = reach * 1.2; // room for arrows and names outside
+  const outlines = [...shown.map(({ outer }) => [0, 0, outer]), ...drawing.rollers.map((roller) => [1e3 * roller.x_m, -1e3 * roller.y_m, 1e3 * roller.radius_m])];
+  const [left, top] = [0, 1].map((axis) => Math.min(...outlines.map((outline) => outline[axis] - outline[2])));
+  const [right, bottom] = [0, 1].map((axis) => Math.max(...outlines.map((outline) => outline[axis] + outline[2])));
+  const reach = Math.max(right - left, bottom - top) / 2;
+  const room = reach * 0.2; // for arrows and names outside
+  const box = [left - room, top - room, right - left + 2 * room, bottom - top + 3.7 * room];
   const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
   const names = [...new Set([...drawing.rings, ...drawing.rollers].map((each) => each.body))];
-  const picture = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
+  const picture = svg("svg", { viewBox: box.join(" "), role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
   picture.append(svg("defs", {}, marker("normal"), marker("tangential"), marker("pin"))); // also those of the rollers drawn apart
   for (const ring of shown) {
     picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
   }
-  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.07 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
+  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.07 * reach), ...scaleBar(left - 0.8 * room, bottom + 2 * room, reach, 0.07 * reach));
   const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
   return [
     element("div", { class: "drawings" }, picture),
     element(
       "p",
       { class: "note" },
-      document_.of_own_branches ? "All sectors" : "One sector",
+      shownSectors(document_),
       ...keys(drawing, "the first body of each contact", largest),
       `${thinner} ${made(drawing, drawing.rings)}`,
     ),
   ];
 }
 
-/** The rollers of the first sector, each with the forces on it. */
+/** The bodies that are drawn apart, each with the forces on it. */
 export function freeBodies(drawing) {
+  const held = drawing.bodies.flatMap((body) => body.forces).filter((force) => force.kind === "pin" && Math.hypot(...force.force_N) > 0);
   return [
     element("div", { class: "bodies" }, ...drawing.bodies.map(freeBody)),
     element(
       "p",
       { class: "note" },
       element("span", { class: "key normal" }, "→ normal"),
-      ", ",
+      held.length ? ", " : " and ",
       element("span", { class: "key tangential" }, "→ tangential"),
-      " and ",
-      element("span", { class: "key pin" }, "→ pin"),
-      " forces on each roller: arrows show directions, numbers sizes. Centrifugal forces are not drawn.",
+      ...(held.length ? [" and ", element("span", { class: "key pin" }, `→ ${held[0].name}`)] : []),
+      " forces on each body: arrows show directions, numbers sizes. Centrifugal forces are not drawn.",
     ),
   ];
 }
@@ -123,9 +126,9 @@ function freeBody(body) {
   return element("figure", {}, picture, element("figcaption", {}, body.body));
 }
 
-/** Where the size of a force is written: behind the tail of a normal force, before the tip of a tangential one, below a pin. */
+/** Where the size of a force is written: behind the tail of a normal force, before the tip of a tangential one, beside the axis for a pin, where its arrow does not point. */
 function labelPlace(kind, [x, y], [e, f], [px, py], side) {
-  if (kind === "pin") return [0, 22];
+  if (kind === "pin") return [0, f > 0 ? -12 : 22];
   if (kind === "normal") return side === 0 ? [x, y + (py < 0 ? -4 : 12)] : [x + 3 * side, y + 4];
   const [tx, ty] = [x + 1.12 * e, y + 1.12 * f];
   return [tx, ty + 4 + 5 * py];
@@ -178,10 +181,16 @@ function arrows(drawing, size, largest, font) {
   });
 }
 
+/** Whose forces the drawing shows: those of a drive that has no sectors, or of which of them. */
+function shownSectors(document_) {
+  if (document_.geometry.sectors === 1) return "The drive";
+  return document_.of_own_branches ? "All sectors" : "One sector";
+}
+
 function forcesDescribed(document_) {
   const { normal_N: normal, tangential_N: tangential } = document_.standing.forces;
   const each = Object.keys(normal).map((name) => `${name} ${number(normal[name])} N and ${number(tangential[name])} N`);
-  return `${document_.of_own_branches ? "All sectors" : "One sector"} with normal and tangential forces: ${each.join("; ")}.`;
+  return `${shownSectors(document_)} with normal and tangential forces: ${each.join("; ")}.`;
 }
 
 function scaleBar(x, y, inner, font) {
