@@ -220,7 +220,7 @@ def test_what_is_saved_beside_an_error_is_said(page, tmp_path):
 
 def test_all_warnings_are_shown(page):
     """However many: this joint has none, and gets sixty."""
-    assert page.locator("#warnings").inner_text() == "None: all limits are met."
+    assert page.locator("#warnings").inner_text() == "No warnings: all limits are met."
     page.evaluate(
         """() => { const list = document.createElement("ul");
             list.className = "warnings";
