@@ -165,8 +165,8 @@ def test_a_planetary_by_its_own_names(zou_file):
     with pytest.raises(InputError, match="no result 'wedge_angle': only one with wedges"):
         solution["wedge_angle"]
     text = str(solution)
-    assert "efficiency" in text
-    assert "\npr " in text
+    assert "\nEfficiency  " in text
+    assert "\n pr  " in text
 
 
 def test_text_of_a_joint_beyond_what_is_known_shows_no_nan(joint):

@@ -11,7 +11,7 @@ from asperity.drive.state.loads import member_loads
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
-from asperity.show.free_bodies import body_forces, free_bodies
+from asperity.show.free_bodies import body_forces, drawn_apart, free_bodies
 from asperity.show.sheet import Circle, Line, Text
 from asperity.show.taken import text_box
 
@@ -41,8 +41,8 @@ def drawn(request, planar_case):
 @pytest.mark.slow
 def test_every_force_has_an_arrow_and_every_number_stands_once(drawn):
     joint, items = drawn
-    off_axis = {joint.drive.bodies[number].name for number in joint.drive.floating}
-    forces = [each for each in body_forces(joint, solved(joint)) if each.body in off_axis]
+    names = {joint.drive.bodies[number].name for number in drawn_apart(joint.drive)}
+    forces = [each for each in body_forces(joint, solved(joint)) if each.body in names]
     arrows = [item for item in items if isinstance(item, Line)]
     assert len(arrows) == len(forces)
     for force, arrow in zip(forces, arrows, strict=True):
@@ -55,7 +55,9 @@ def test_every_force_has_an_arrow_and_every_number_stands_once(drawn):
         assert texts.count(f"T = {10 + k} N") == 1
     for k in range(len(joint.drive.pinned)):
         assert texts.count(f"pin: {1 + k} N") == 1
-    assert {name.replace("_", " ") for name in off_axis} <= set(texts)
+    held = [body for body in joint.drive.bodies if body.place == "held"]  # their bearings carry N and T
+    assert texts.count(f"bearing: {np.hypot(100.0, 10.0):.1f} N") == len(held)
+    assert {name.replace("_", " ") for name in names} <= set(texts)
 
 
 def test_bodies_lie_apart_around_the_middle_and_texts_beside_them(drawn):
