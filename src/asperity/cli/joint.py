@@ -11,7 +11,9 @@ from asperity.cli.run_by_name import run_by_name
 @click.command()
 @click.argument("file", type=click.Path())
 @json_option()
-@click.option("--all", "in_full", is_flag=True, help="Print every table, and everything that is assumed, in full.")
+@click.option(
+    "--all", "in_full", is_flag=True, help="Print every table, and everything that is assumed, in full."
+)
 @surface_option
 @plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")
 @run_by_name

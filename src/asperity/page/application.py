@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import functools
 import json
-import re
 from collections.abc import AsyncIterator, Callable, Iterable
 from importlib.resources import files
 from typing import Any
@@ -26,7 +25,7 @@ from asperity.page.computation import MOST_WAITING, Computations, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard, parsed, problem, refusal, require_type
 from asperity.page.jobs import Jobs
-from asperity.page.joint_request import JointRequest, joint_request
+from asperity.page.joint_request import JointRequest, attachment, joint_request
 from asperity.page.openapi import openapi
 from asperity.page.upload import LARGEST_SURFACE, Measurements
 from asperity.page.work_routes import work_routes
@@ -73,21 +72,15 @@ def application(
     longest_body: float | None = None,
 ) -> App:
     """The page as an ASGI application."""
-    kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
+    jobs, measurements = Jobs(), Measurements()
     # each file in a thread: the largest ones take seconds, which others do not wait for
     readers = Computations(longest=LONGEST_ANSWER, threads=MOST_WAITING)
+    joints = _JointAddresses(computations, charts, readers)
     stated = stated_values(start.case(), start.file_tables)
     described = {
         **description(),
         "start": {"name": start.name, "toml": start.text, "surfaces": start.surfaces, **stated},
     }
-
-    def answered(request: JointRequest) -> Document:
-        answer = kept.get(request.identity)
-        if answer is None:
-            answer = request, joint_answer(request)
-            kept.keep(request.identity, answer)
-        return answer[1]
 
     constant: dict[str, Callable[[], Response]] = {
         **{path: functools.partial(_asset, *asset) for path, asset in ASSETS.items()},
@@ -104,50 +97,9 @@ def application(
         # made once: whoever asks again and again would keep others waiting
         return made(request.url.path)
 
-    async def computed(
-        joints: list[JointRequest], worker: Computations, compute: Callable[..., Any], *asked: Any
-    ) -> Response:
-        try:
-            for one in joints:
-                await readers.run(one.case)
-            return JSONResponse(await worker.run(compute, *asked))
-        except AsperityError as error:
-            return problem(error, source=joints[-1].name)
-
-    async def results(request: Request) -> Response:
-        asked = joint_request(await _body(request))
-        return await computed([asked], readers, chart_results, asked)
-
-    async def joint(request: Request) -> Response:
-        asked = joint_request(await _body(request))
-        return await computed([asked], computations, answered, asked)
-
-    async def chart(request: Request) -> Response:
-        asked = chart_request(await _body(request))
-        return await computed([asked.joint], charts, chart_answer, asked)
-
-    async def comparison(request: Request) -> Response:
-        joints = comparison_request(await _body(request))
-        return await computed(joints, charts, comparison_answer, *joints)
-
-    async def download(request: Request) -> Response:
-        kept_answer = kept.get(request.path_params["identity"])
-        if request.path_params["kind"] not in DOWNLOADS:
-            raise HTTPException(404)
-        if kept_answer is None:
-            return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
-        asked, answer = kept_answer
-        end = request.path_params["kind"]
-        content = await (readers if end == "toml" else computations).run(
-            _downloaded, end, asked, answer["document"]
-        )
-        name = re.sub(r"[^A-Za-z0-9._-]", "_", asked.name.removesuffix(".toml")) or "joint"
-        disposition = f'attachment; filename="{name}.{end}"'
-        return Response(content, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
-
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
-        warm = computations.submit(answered, start)
+        warm = computations.submit(joints.answered, start)
         # the page asks for it again
         warm.add_done_callback(lambda done: done.cancelled() or done.exception())
         yield
@@ -159,11 +111,7 @@ def application(
 
     routes = [
         *(Route(path, always_the_same, methods=["GET"]) for path in constant),
-        Route("/api/results", results, methods=["POST"]),
-        Route("/api/joint", joint, methods=["POST"]),
-        Route("/api/chart", chart, methods=["POST"]),
-        Route("/api/compare", comparison, methods=["POST"]),
-        Route("/api/joint/{identity:str}/joint.{kind}", download, methods=["GET"]),
+        *joints.routes(),
         *work_routes(jobs, measurements, readers),
     ]
     handlers: dict[Any, Any] = {AsperityError: _wrong, HTTPException: _not_here, Exception: _failed}
@@ -171,6 +119,72 @@ def application(
     limits = {} if longest_body is None else {"longest_body": longest_body}
     large = {"/api/measure": LARGEST_SURFACE, "/api/open": LARGEST_SURFACE}
     return Guard(app, hosts=hosts, larger_bodies=large, **limits)  # type: ignore[arg-type]
+
+
+class _JointAddresses:
+    """The addresses that compute a joint, and those that give what was computed as a file."""
+
+    def __init__(self, computations: Computations, charts: Computations, readers: Computations) -> None:
+        self._computations, self._charts, self._readers = computations, charts, readers
+        self._kept = KeptAnswers()
+
+    def routes(self) -> list[Route]:
+        """The addresses."""
+        return [
+            Route("/api/results", self._results, methods=["POST"]),
+            Route("/api/joint", self._joint, methods=["POST"]),
+            Route("/api/chart", self._chart, methods=["POST"]),
+            Route("/api/compare", self._comparison, methods=["POST"]),
+            Route("/api/joint/{identity:str}/joint.{kind}", self._download, methods=["GET"]),
+        ]
+
+    def answered(self, request: JointRequest) -> dict[str, Any]:
+        """What the page is told about a joint; computed once while it is kept."""
+        answer = self._kept.get(request.identity)
+        if answer is None:
+            answer = request, joint_answer(request)
+            self._kept.keep(request.identity, answer)
+        return answer[1]
+
+    async def _computed(
+        self, joints: list[JointRequest], worker: Computations, compute: Callable[..., Any], *asked: Any
+    ) -> Response:
+        """The answer of a worker, once the files of all joints have been read."""
+        try:
+            for one in joints:
+                await self._readers.run(one.case)
+            return JSONResponse(await worker.run(compute, *asked))
+        except AsperityError as error:
+            return problem(error, source=joints[-1].name)
+
+    async def _results(self, request: Request) -> Response:
+        asked = joint_request(await _body(request))
+        return await self._computed([asked], self._readers, chart_results, asked)
+
+    async def _joint(self, request: Request) -> Response:
+        asked = joint_request(await _body(request))
+        return await self._computed([asked], self._computations, self.answered, asked)
+
+    async def _chart(self, request: Request) -> Response:
+        asked = chart_request(await _body(request))
+        return await self._computed([asked.joint], self._charts, chart_answer, asked)
+
+    async def _comparison(self, request: Request) -> Response:
+        joints = comparison_request(await _body(request))
+        return await self._computed(joints, self._charts, comparison_answer, *joints)
+
+    async def _download(self, request: Request) -> Response:
+        end = request.path_params["kind"]
+        kept_answer = self._kept.get(request.path_params["identity"])
+        if end not in DOWNLOADS:
+            raise HTTPException(404)
+        if kept_answer is None:
+            return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
+        asked, answer = kept_answer
+        worker = self._readers if end == "toml" else self._computations
+        content = await worker.run(_downloaded, end, asked, answer["document"])
+        headers = {"content-disposition": attachment(asked.name, f".{end}")}
+        return Response(content, media_type=DOWNLOADS[end], headers=headers)
 
 
 def _asset(name: str, kind: str) -> Response:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import hashlib
 import json
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -152,6 +153,12 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
 def shown_name(name: str) -> str:
     """The name of a joint file as messages and documents show it."""
     return one_line(name)[:LONGEST_NAME] or "joint.toml"
+
+
+def attachment(name: str, end: str) -> str:
+    """Header by which a browser keeps an answer about a joint file of this name as a file with another end."""
+    stem = re.sub(r"[^A-Za-z0-9._-]", "_", name.removesuffix(".toml")) or "joint"
+    return f'attachment; filename="{stem}{end}"'
 
 
 def joint_request(body: object) -> JointRequest:

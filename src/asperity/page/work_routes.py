@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import json
-import re
 from collections.abc import AsyncIterator
 
 from starlette.exceptions import HTTPException
@@ -16,7 +15,7 @@ from asperity.errors import AsperityError
 from asperity.page.computation import Computations
 from asperity.page.guard import parsed, problem, require_type
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
-from asperity.page.joint_request import shown_name
+from asperity.page.joint_request import attachment, shown_name
 from asperity.page.requests import MeasurementQuery
 from asperity.page.upload import Measurements, opened_design, opened_joint, recognised
 from asperity.types import Document
@@ -58,6 +57,17 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
         require_type(request, "application/octet-stream")
         return await measured(request, await request.body(), request.query_params.get("name", "surface"))
 
+    return [
+        Route("/api/open", open_file, methods=["POST"]),
+        Route("/api/file", file, methods=["POST"]),
+        Route("/api/measure", measure, methods=["POST"]),
+        *_job_routes(jobs, readers),
+    ]
+
+
+def _job_routes(jobs: Jobs, readers: Computations) -> list[Route]:
+    """The addresses of long jobs."""
+
     async def begin(request: Request) -> Response:
         require_type(request, "application/json")
         kind, joint, files, options = await readers.run(job_request, parsed(await request.body()))
@@ -86,15 +96,11 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
         job = asked(request)
         if job.result is None:
             raise HTTPException(410, "this job has no result")
-        name = re.sub(r"[^A-Za-z0-9._-]", "_", job.name.removesuffix(".toml")) or "joint"
-        headers = {"content-disposition": f'attachment; filename="{name}-{job.kind}.json"'}
+        headers = {"content-disposition": attachment(job.name, f"-{job.kind}.json")}
         text = json.dumps(job.result, indent=2, allow_nan=False) + "\n"
         return Response(text, media_type="application/json", headers=headers)
 
     return [
-        Route("/api/open", open_file, methods=["POST"]),
-        Route("/api/file", file, methods=["POST"]),
-        Route("/api/measure", measure, methods=["POST"]),
         Route("/api/jobs", begin, methods=["POST"]),
         Route("/api/jobs/{identity:str}", state, methods=["GET"]),
         Route("/api/jobs/{identity:str}/stop", stop, methods=["POST"]),
