@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from asperity.report.study_sections import ReportStudies
     from asperity.show.sheet import Sheet
     from asperity.show.title_block import Title
+    from asperity.views.blocks import Report
 
 #: What is told how much of a long work is done: the number done and the total.
 Progress = Callable[[int, int], None]
@@ -211,13 +212,7 @@ def write_report(
         raise InputError("a distribution belongs to tolerances=True")
     watched = progress or (lambda what: nullcontext(lambda done, total: None))
     text = case.text or joint_file_text(case, {}, comment="")
-    if surfaces:
-        from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.measured_surface import case_with_surface
-
-        case = case_with_surface(case, measured_surface(tuple(map(str, surfaces)), measurement_of))
-    elif case.measured is not None:
-        surfaces = case.measured.files
+    case, surfaces = _with_surfaces(case, surfaces, measurement_of)
     source = ReportSource(
         name=Path(joint.source).name,
         text=text,
@@ -230,13 +225,30 @@ def write_report(
         done(0, 2)
         made = joint_report(source)
         done(2, 2)
-    if out.suffix.lower() == ".pdf":
-        content = report_pdf(made)
-        with replacing(out, kind=REPORT) as part:
+    _write(made, out)
+    return out
+
+
+def _with_surfaces(
+    case: AnyCase, surfaces: Sequence[str | Path], measurement_of: str | None
+) -> tuple[AnyCase, Sequence[str | Path]]:
+    """The joint with the surfaces that are named, and the documents of its surfaces."""
+    if surfaces:
+        from asperity.joint.measured_surface import measured_surface
+        from asperity.joint_file.measured_surface import case_with_surface
+
+        return case_with_surface(case, measured_surface(tuple(map(str, surfaces)), measurement_of)), surfaces
+    return case, () if case.measured is None else case.measured.files
+
+
+def _write(report: Report, path: Path) -> None:
+    """Write a report in the format that the ending of its name says."""
+    if path.suffix.lower() == ".pdf":
+        content = report_pdf(report)
+        with replacing(path, kind=REPORT) as part:
             part.write_bytes(content)
     else:
-        write_text(report_html(made), out, kind=REPORT)
-    return out
+        write_text(report_html(report), path, kind=REPORT)
 
 
 def check_report(path: str | Path, *inputs: str | Path) -> None:

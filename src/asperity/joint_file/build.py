@@ -43,7 +43,7 @@ from asperity.joint_file.section_build import (
 )
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import Material
-from asperity.types import Array, Document
+from asperity.types import Array, Document, Real
 
 _SIDES = ("first_radius", "second_radius")
 
@@ -113,20 +113,23 @@ def joint_from_values(values: Values) -> Joint:
         crown_curvatures=_crown_curvatures(values),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
     )
-    expansion = None if temperature is None else temperature.get("housing_expansion")
-    if "housing" in values:
-        material = materials[values["bodies"][HOUSING]]
-        joint, expansion = (
-            _in_housing(joint, values["housing"], material, temperature),
-            material.thermal_expansion,
-        )
-    if temperature is None or "interference" not in load:
+    if "housing" not in values:
+        return _warmed(joint, values, None if temperature is None else temperature.get("housing_expansion"))
+    material = materials[values["bodies"][HOUSING]]
+    joint = _in_housing(joint, values["housing"], material, temperature)
+    return _warmed(joint, values, material.thermal_expansion)
+
+
+def _warmed(joint: Joint, values: Values, housing_expansion: Real | None) -> Joint:
+    """The joint with what its temperatures do to its interference, where a file states both."""
+    temperature = values.get("temperature")
+    if temperature is None or "interference" not in values["load"]:
         return joint
     fit = contact_fit(
         joint,
         assembly_temperature=temperature["assembly"],
         working_temperature=temperature["working"],
-        housing_expansion=expansion,
+        housing_expansion=housing_expansion,
     )
     return dataclasses.replace(joint, fit=fit)
 

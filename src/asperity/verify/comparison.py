@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import jax.numpy as jnp
 import numpy as np
+from numpy.typing import NDArray
 
 from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.pressed_map import loaded_state
@@ -128,16 +129,8 @@ def compare(
     solved: Callable[[], None] = lambda: None,
 ) -> Comparison:
     """Solve the sample's surfaces under each load by boundary elements, and evaluate the law and Persson's theory."""
-    pressures = np.asarray(relative_pressures, dtype=np.float64)
-    rising = pressures.size > 0 and np.all(np.diff(pressures, prepend=0.0) > 0.0)
-    if seeds < 1 or not rising or not pressures[-1] < 1.0:
-        raise InputError(
-            f"seeds = {seeds}, relative pressures {list(relative_pressures)}: at least one seed is needed, and "
-            "pressures that increase, above 0 and below 1"
-        )
+    pressures = _rising(relative_pressures, seeds)
     pair = sample.pair
-    pixel = sample.side / sample.points
-    half_space = PeriodicHalfSpace(pair, shape=(sample.points, sample.points), pixel_size=(pixel, pixel))
     surfaces = [sample_heights(sample, seed) for seed in range(seeds)]
     spectra = [wave_spectrum(heights, sides=(sample.side, sample.side)) for heights in surfaces]
     E = pair.contact_modulus
@@ -145,23 +138,9 @@ def compare(
     scale = jnp.minimum(E * rms_slope, sample.hardness)
     mean_pressure = jnp.asarray(pressures) * scale
     force = mean_pressure * sample.side**2
-    hardness = None if elastic else sample.hardness
-
-    rows = []
-    for heights in surfaces:
-        row, contact = [], None
-        for load in np.asarray(force):
-            contact, state = loaded_state(
-                half_space, heights, normal_force=load, hardness=hardness, axes=(0, 1), start=contact
-            )
-            capped = (
-                jnp.mean(contact.pressure >= sample.hardness, dtype=jnp.float64) / contact.contact_fraction
-            )
-            row.append(jnp.append(state, capped))
-            solved()
-        rows.append(jnp.stack(row, axis=1))
-    area, normal, tangential, capped_fraction = jnp.stack(rows, axis=1)
-
+    area, normal, tangential, capped_fraction = _by_boundary_elements(
+        sample, surfaces, force, elastic, solved
+    )
     law = flat_fractal_contact(
         Surface(
             fractal_dimension=sample.fractal_dimension,
@@ -203,6 +182,43 @@ def compare(
         persson_tangential_stiffness=theory_normal * (4.0 * pair.tangential_contact_modulus / E),
         capped_fraction=capped_fraction,
     )
+
+
+def _rising(relative_pressures: Sequence[float], seeds: int) -> NDArray[np.float64]:
+    """The pressures over the pressure scale, shape (loads,), or an ``InputError``."""
+    pressures = np.asarray(relative_pressures, dtype=np.float64)
+    rising = pressures.size > 0 and np.all(np.diff(pressures, prepend=0.0) > 0.0)
+    if seeds < 1 or not rising or not pressures[-1] < 1.0:
+        raise InputError(
+            f"seeds = {seeds}, relative pressures {list(relative_pressures)}: at least one seed is needed, and "
+            "pressures that increase, above 0 and below 1"
+        )
+    return pressures
+
+
+def _by_boundary_elements(
+    sample: Sample, surfaces: Sequence[np.ndarray], force: Array, elastic: bool, solved: Callable[[], None]
+) -> Array:
+    """Area [m^2], both stiffnesses [N/m], share of the area at the hardness [-], shape (4, surfaces, loads)."""
+    pixel = sample.side / sample.points
+    half_space = PeriodicHalfSpace(
+        sample.pair, shape=(sample.points, sample.points), pixel_size=(pixel, pixel)
+    )
+    hardness = None if elastic else sample.hardness
+    rows = []
+    for heights in surfaces:
+        row, contact = [], None
+        for load in np.asarray(force):
+            contact, state = loaded_state(
+                half_space, heights, normal_force=load, hardness=hardness, axes=(0, 1), start=contact
+            )
+            capped = (
+                jnp.mean(contact.pressure >= sample.hardness, dtype=jnp.float64) / contact.contact_fraction
+            )
+            row.append(jnp.append(state, capped))
+            solved()
+        rows.append(jnp.stack(row, axis=1))
+    return jnp.stack(rows, axis=1)
 
 
 def comparison_figure(samples: Sequence[Sample], comparisons: Sequence[Comparison]) -> Figure:

@@ -99,12 +99,7 @@ def sweep(
     if overwrite and Path(store).exists():
         remove_store(store)
     new = not Path(store).exists()
-    blocks = prepare_store(store, plan)
-    if not new:
-        damaged = repair_store(store, plan)
-        if damaged and notice is not None:
-            notice(f"{len(damaged)} blocks of {store} are damaged or missing and are computed again")
-        blocks = sorted({*blocks, *damaged})
+    blocks = prepare_store(store, plan) if new else _blocks_left(store, plan, notice)
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
@@ -119,6 +114,15 @@ def sweep(
                 remove_store(store)
             raise
     return open_store(store, verify=False)
+
+
+def _blocks_left(store: str | Path, plan: Plan, notice: Callable[[str], Any] | None) -> list[int]:
+    """The blocks of an earlier store that are not finished or damaged."""
+    blocks = prepare_store(store, plan)
+    damaged = repair_store(store, plan)
+    if damaged and notice is not None:
+        notice(f"{len(damaged)} blocks of {store} are damaged or missing and are computed again")
+    return sorted({*blocks, *damaged})
 
 
 class _Progress:
