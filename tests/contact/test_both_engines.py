@@ -3,7 +3,6 @@
 import inspect
 
 import numpy as np
-import pytest
 from both_engines import Engines, Formula, rows
 
 from asperity.contact import (
@@ -381,14 +380,6 @@ LARGE = dict(
     ]
 )
 
-ENGINES = Engines(FORMULAS, alone=LARGE)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_both_engines_compute_the_same_numbers(name):
-    ENGINES.check_value(name)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_slopes_under_numpy_are_those_of_jax(name):
-    ENGINES.check_slope(name)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = Engines(
+    FORMULAS, alone=LARGE
+).tests()

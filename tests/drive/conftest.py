@@ -1,12 +1,13 @@
 """States of one drive of each kind."""
 
-import functools
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.layout.wedge_geometry import DriveGeometry
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.states import rolling_state, state_at_rest
 from asperity.drive.types.multiroller import two_row_multiroller
 from asperity.drive.types.planetary import planetary_drive
@@ -28,21 +29,7 @@ def drives():
 
 
 @pytest.fixture(scope="session")
-def steel_laws():
-    """Laws of the contacts of a drive of steel, 5 mm long, in rings with walls of 60 mm."""
-    return functools.partial(
-        smooth_contact_laws,
-        youngs_modulus=206e9,
-        poisson_ratio=0.3,
-        friction_coefficient=0.12,
-        contact_length=5e-3,
-        ring_wall_thickness=60e-3,
-        reference_force=500.0,
-    )
-
-
-@pytest.fixture(scope="session")
-def solved(drives, steel_laws):
+def solved(drives):
     """State at rest and rolling state of a drive under 1000 N and an output torque."""
 
     @traced_once
@@ -59,3 +46,15 @@ def solved(drives, steel_laws):
         return at_once(states, drives[name], torque, preload, wall)
 
     return of
+
+
+@pytest.fixture(scope="session")
+def dense_assembly():
+    """The dense baseline: all planets, the sun free to move sideways, rigid springs as constraints."""
+    folder = str(Path(__file__).parents[2] / "benchmarks")
+    sys.path.insert(0, folder)
+    try:
+        from baseline_assembly import torsional_stiffness_of_assembly
+    finally:
+        sys.path.remove(folder)
+    return torsional_stiffness_of_assembly

@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-import pytest
 from both_engines import Engines, Formula, rows
+from steel_laws import steel_laws
 
 from asperity.contact.crowned_line import CrownedLines
 from asperity.drive import bearings
@@ -15,7 +15,6 @@ from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.normal_springs import NormalSprings, compression, crowned_springs, total_approach
 from asperity.drive.state import first_limit, loads
 from asperity.drive.state.creep import CreepLaw, creepages, drift_per_turn
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad, contact_approach, slip_at_rest, surface_speeds
 from asperity.drive.state.states import drive_states, rest_forces
 from asperity.drive.state.supports import carrier_supports
@@ -206,15 +205,7 @@ def states(maker):
 
     def of(torque, preload, **radii):
         drive = maker(**radii)
-        laws = smooth_contact_laws(
-            drive=drive,
-            youngs_modulus=206e9,
-            poisson_ratio=0.3,
-            friction_coefficient=0.12,
-            contact_length=5e-3,
-            ring_wall_thickness=60e-3,
-            reference_force=500.0,
-        )
+        laws = steel_laws(drive=drive)
         found = drive_states(
             drive=drive, laws=laws, pattern=internal(drive), preload=preload, load=DriveLoad(torque)
         )
@@ -334,14 +325,6 @@ LARGE = dict([
     *of_drives(speeds, names=("multiroller", "stepped", "wedge")),
 ])  # fmt: skip
 
-ENGINES = Engines(FORMULAS, alone=LARGE)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_both_engines_compute_the_same_numbers(name):
-    ENGINES.check_value(name)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_slopes_under_numpy_are_those_of_jax(name):
-    ENGINES.check_slope(name)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = Engines(
+    FORMULAS, alone=LARGE
+).tests()

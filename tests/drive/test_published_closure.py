@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states, loaded_state, state_at_rest
 from asperity.drive.types.wedge import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
@@ -29,15 +29,7 @@ CENTRIFUGAL = 25.0  # of the planet [N]; of a loading roller 10
 
 
 def laws_of(drive):
-    return smooth_contact_laws(
-        drive=drive,
-        youngs_modulus=206e9,
-        poisson_ratio=0.3,
-        friction_coefficient=0.12,
-        contact_length=5e-3,
-        ring_wall_thickness=60e-3,
-        reference_force=REST.normal_force,
-    )
+    return steel_laws(drive=drive, reference_force=REST.normal_force)
 
 
 def load_of(drive, torque, *, turns):

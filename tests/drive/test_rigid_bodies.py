@@ -6,9 +6,9 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.optimize import brentq, fsolve
+from steel_laws import steel_laws
 
 from asperity.drive.state.creep import creepages
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE
 
 MODULUS, POISSON, FRICTION, LENGTH, WALL = 206e9, 0.3, 0.12, 5e-3, 60e-3
@@ -133,15 +133,7 @@ def test_agrees_with_rigid_bodies_in_the_plane(solved, torque):
 
 def test_equal_creep_under_given_normal_forces(drives):
     # static normal forces at 5 N·m; split, series creepage and loss computed independently
-    law = smooth_contact_laws(
-        drive=drives["wedge"],
-        youngs_modulus=MODULUS,
-        poisson_ratio=POISSON,
-        friction_coefficient=FRICTION,
-        contact_length=LENGTH,
-        ring_wall_thickness=WALL,
-        reference_force=500.0,
-    ).creep
+    law = steel_laws(drive=drives["wedge"]).creep
     normal = jnp.array([1001.05, 657.33, 465.11, 646.77, 449.06])
 
     def creep(right):

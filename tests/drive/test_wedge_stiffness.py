@@ -1,8 +1,5 @@
 """The stiffness (A8) of the paper's drive against a dense independent assembly of all branches, and against (A7)."""
 
-import sys
-from pathlib import Path
-
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -41,18 +38,6 @@ def solve(geometry, normal, tangential, pin=0.0):
 def shares(found):
     parts = (found.tangential_share, found.normal_share, found.pin_share)
     return sum(float(jnp.sum(part)) for part in parts)
-
-
-@pytest.fixture(scope="module")
-def dense_assembly():
-    """The dense baseline: all planets, the sun free to move sideways, rigid springs as constraints."""
-    folder = str(Path(__file__).parents[2] / "benchmarks")
-    sys.path.insert(0, folder)
-    try:
-        from baseline_assembly import torsional_stiffness_of_assembly
-    finally:
-        sys.path.remove(folder)
-    return torsional_stiffness_of_assembly
 
 
 @pytest.mark.parametrize(

@@ -96,6 +96,19 @@ class Engines:
         self._failures: dict[str, Exception] = {}
         self.names = [*formulas, *(pytest.param(name, marks=pytest.mark.slow) for name in alone or ())]
 
+    def tests(self) -> tuple[Callable[[str], None], Callable[[str], None]]:
+        """Two tests of every formula for a module to name: of its numbers, and of their slopes."""
+
+        @pytest.mark.parametrize("name", self.names)
+        def value(name: str) -> None:
+            self.check_value(name)
+
+        @pytest.mark.parametrize("name", self.names)
+        def slope(name: str) -> None:
+            self.check_slope(name)
+
+        return value, slope
+
     def check_value(self, name: str) -> None:
         """Equal numbers, and nan and infinite ones at the same places."""
         function, numbers, scale = self._formulas[name]

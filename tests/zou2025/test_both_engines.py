@@ -3,7 +3,6 @@
 import dataclasses
 
 import numpy as np
-import pytest
 from both_engines import Engines, Formula, rows
 
 from asperity.drive.bearings import Bearings
@@ -86,14 +85,6 @@ LARGE = {
     for closure in ("elastic", "constant_pin_force")
 }
 
-ENGINES = Engines(FORMULAS, alone=LARGE)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_both_engines_compute_the_same_numbers(name):
-    ENGINES.check_value(name)
-
-
-@pytest.mark.parametrize("name", ENGINES.names)
-def test_slopes_under_numpy_are_those_of_jax(name):
-    ENGINES.check_slope(name)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = Engines(
+    FORMULAS, alone=LARGE
+).tests()

@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import speeds
 from asperity.drive.state.equations import ASSEMBLED, ROLLING, STANDING, Task, machine_of, moments_of
 from asperity.drive.state.loads import friction_moments, friction_power
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad
 from asperity.drive.state.states import drive_states
 from asperity.engine.control import at_once
@@ -50,7 +50,7 @@ def test_an_input_by_the_carrier_is_braked_by_its_pins_too(drives):
 
 
 @pytest.fixture(scope="module")
-def rolled(drives, steel_laws):
+def rolled(drives):
     """The planetary drive under 1000 N and 10 N·m, with bearings and without."""
 
     def states(drive, bearings):
@@ -115,15 +115,7 @@ def test_without_friction_the_torque_is_that_of_the_ratio(rolled):
 def test_friction_opposes_the_rotation_or_else_the_torque(drives, torque, rotation, kind, sense):
     drive = drives["planetary"]
     none = np.zeros(2)
-    laws = smooth_contact_laws(
-        drive=drive,
-        youngs_modulus=206e9,
-        poisson_ratio=0.3,
-        friction_coefficient=0.12,
-        contact_length=5e-3,
-        ring_wall_thickness=60e-3,
-        reference_force=1000.0,
-    )
+    laws = steel_laws(drive=drive, reference_force=1000.0)
     machine = machine_of(drive, laws, np.array([0.0, 1.0]))
     load = DriveLoad(torque, bearings=BEARINGS, rotation=rotation, standing_rotation=rotation)
     pin_force = np.array([-100.0])

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.state.loads import (
     drag_levers,
@@ -146,7 +147,7 @@ def test_hysteresis_turns_both_bodies_and_skew_brakes_both_surfaces():
 
 
 @pytest.mark.parametrize("rotation", [1.0, -1.0])
-def test_a_planetary_drive_that_resists_by_hand(drives, steel_laws, rotation):
+def test_a_planetary_drive_that_resists_by_hand(drives, rotation):
     """Oil g, hysteresis h and skew b: the planet needs T_1 - T_2 = g_1 + g_2 + b_1 + b_2 + (h_1 + h_2)/R_p.
 
     The pin takes the forces along its orbit, the sun feels R_s (T_1 + g_1 + b_1) + h_1.

@@ -3,6 +3,7 @@
 import jax
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.layout.drive import CARRIER, Body, Contact, Drive, incidence
 from asperity.drive.normal_springs import NormalSprings
@@ -129,7 +130,7 @@ def test_derivatives_are_those_of_what_holds(standing, slopes):
     assert float(by_friction) == pytest.approx(-PATH * NORMAL / STIFFNESS, rel=1e-9)
 
 
-def test_the_wedge_drive_balances_with_a_roller_that_slides(drives, steel_laws):
+def test_the_wedge_drive_balances_with_a_roller_that_slides(drives):
     """Forces and moments from the contacts; the sliding one follows its normal force, and slips beyond its law."""
     drive = drives["wedge"]
 

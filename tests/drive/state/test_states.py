@@ -7,6 +7,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from steel_laws import steel_laws
 
 from asperity.drive.layout.drive import incidence, speed_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, Creeping, DriveLoad
@@ -134,7 +135,7 @@ def _grown(law, normal, tangential):
 
 
 @pytest.mark.slow
-def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives, steel_laws):
+def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives):
     """By passes with the law around the forces of the last pass, until they stay; its derivative by differences."""
     drive = drives["planetary"]
 

@@ -1,8 +1,6 @@
 """Pins across their push and bearings of planets, against a dense independent assembly and the published series."""
 
 import math
-import sys
-from pathlib import Path
 
 import jax
 import jax.numpy as jnp
@@ -19,18 +17,6 @@ from asperity.zou2025.series_stiffness import series_torsional_stiffness
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 TILTED = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.2, -0.1)
 PLANET = (1,)
-
-
-@pytest.fixture(scope="module")
-def dense_assembly():
-    """The dense baseline: all planets, the sun free to move sideways, rigid springs as constraints."""
-    folder = str(Path(__file__).parents[3] / "benchmarks")
-    sys.path.insert(0, folder)
-    try:
-        from baseline_assembly import torsional_stiffness_of_assembly
-    finally:
-        sys.path.remove(folder)
-    return torsional_stiffness_of_assembly
 
 
 def stiffness(geometry, normal, tangential, *, pin=math.inf, across=None, planet=None):
