@@ -66,6 +66,18 @@ def served(serve):
 
 
 @pytest.fixture(scope="session")
+def served_text(serve, tmp_path_factory):
+    """Starter of a server of a joint file of this text."""
+
+    def start(text):
+        file = tmp_path_factory.mktemp("joint") / "planetary.toml"
+        file.write_text(text, encoding="utf-8")
+        return serve(file)
+
+    return start
+
+
+@pytest.fixture(scope="session")
 def chromium():
     api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)

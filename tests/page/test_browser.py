@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from browser import do, field, write
 
 from asperity.api.comparison import compare
 from asperity.joint.solve import solve_joint
@@ -39,27 +40,6 @@ def shown(solution):
 
 def card(page, name="Stiffness at the output"):
     return page.locator(f'[data-value="{name}"]').inner_text()
-
-
-def do(page, action):
-    """Do something and wait until the page has been redrawn."""
-    before = int(page.evaluate("document.documentElement.dataset.revision"))
-    action()
-    page.wait_for_function(
-        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
-    )
-
-
-def field(page, path):
-    return page.locator(f"#value-{path.replace('.', '-')}")
-
-
-def write(page, path, text):
-    def action():
-        field(page, path).fill(text)
-        field(page, path).press("Enter")
-
-    do(page, action)
 
 
 @pytest.mark.long

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from browser import do
 
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
@@ -52,20 +53,9 @@ CUT_TABLES = """[...document.querySelectorAll(".scroll")].filter((each) => each.
 
 
 @pytest.fixture(scope="module")
-def served(serve, tmp_path_factory):
+def served(served_text):
     """Takes the place of the server of the tutorial's joint."""
-    file = tmp_path_factory.mktemp("drive") / "planetary.toml"
-    file.write_text(TEXT, encoding="utf-8")
-    return serve(file)
-
-
-def changed(page, action):
-    """Do something and wait until the page has been redrawn."""
-    before = int(page.evaluate("document.documentElement.dataset.revision"))
-    action()
-    page.wait_for_function(
-        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
-    )
+    return served_text(TEXT)
 
 
 def stiffness(text):
@@ -108,7 +98,7 @@ def test_a_smaller_torque_shows_no_springs_that_are_only_rounding(page):
         page.locator("#value-load-output_torque").fill("7 N*m")
         page.keyboard.press("Enter")
 
-    changed(page, action)
+    do(page, action)
     assert page.locator("#budget tbody tr").count() == 1
     assert "contacts, tangential" in page.locator("#budget").inner_text()
 
@@ -128,7 +118,7 @@ def test_the_free_chart_offers_the_results_of_the_drive(page):
 
 @pytest.mark.long
 def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
-    changed(page, lambda: page.locator("#value-finish").select_option("ground"))
+    do(page, lambda: page.locator("#value-finish").select_option("ground"))
     assert page.locator("#error").is_hidden()
     written = page.locator("#value-surface-roughness_average").input_value()
     assert page.locator("#value-surface-fractal_roughness").input_value() == ""
@@ -142,12 +132,12 @@ def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
     shown = [format_quantity(each, "N*m/arcmin").split(" ")[0] for each in ends]
     assert row.locator("td").all_inner_texts() == shown
     assert expected["words"] in page.locator("#levels").inner_text()
-    changed(page, lambda: page.locator("#value-finish").select_option("superfinished finest"))
+    do(page, lambda: page.locator("#value-finish").select_option("superfinished finest"))
     assert (
         page.locator("#levels tr", has_text="assembled").count() == 1
     )  # D and G themselves leave nothing open
     assert page.locator("#value-surface-roughness_average").input_value() == ""
-    changed(page, lambda: page.keyboard.press("Control+z"))
+    do(page, lambda: page.keyboard.press("Control+z"))
     assert page.locator("#value-finish").input_value() == "ground"
 
 
@@ -166,7 +156,7 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     waiting.value.save_as(tmp_path / "design.json")
     document = json.loads((tmp_path / "design.json").read_text(encoding="utf-8"))
     assert document["objective"]["after"] < document["objective"]["before"]
-    changed(page, page.get_by_role("button", name="Put this design on the page").click)
+    do(page, page.get_by_role("button", name="Put this design on the page").click)
     margins = page.locator("#margins tr", has_text="slip ratio").inner_text()
     assert "0.85" in margins
 
@@ -231,7 +221,7 @@ def test_planets_of_unlike_sizes_have_a_table(page, tmp_path):
         '[[branch]]\nplanet_deviation = "3 um"\n\n[[branch]]\n\n[[branch]]\nplanet_deviation = "-2 um"\n\n'
     )
     file.write_text(TEXT.replace("[model]", f"{sections}[model]", 1), encoding="utf-8")
-    changed(page, lambda: page.locator("#open-file").set_input_files(file))
+    do(page, lambda: page.locator("#open-file").set_input_files(file))
     shares = [
         float(row.locator("td").nth(3).inner_text())
         for row in page.locator("#contacts tr", has_text="planet ").all()

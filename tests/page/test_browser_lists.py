@@ -7,6 +7,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from browser import do, field, write
 
 pytestmark = pytest.mark.slow
 
@@ -15,32 +16,9 @@ TEXT = (ROOT / "examples" / "planetary.toml").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
-def served(serve, tmp_path_factory):
+def served(served_text):
     """Takes the place of the server of the tutorial's joint."""
-    file = tmp_path_factory.mktemp("lists") / "planetary.toml"
-    file.write_text(TEXT, encoding="utf-8")
-    return serve(file)
-
-
-def do(page, action):
-    """Do something and wait until the page has been redrawn."""
-    before = int(page.evaluate("document.documentElement.dataset.revision"))
-    action()
-    page.wait_for_function(
-        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
-    )
-
-
-def field(page, path):
-    return page.locator(f"#value-{path.replace('.', '-')}")
-
-
-def write(page, path, text):
-    def action():
-        field(page, path).fill(text)
-        field(page, path).press("Enter")
-
-    do(page, action)
+    return served_text(TEXT)
 
 
 def press(page, name):
