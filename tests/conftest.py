@@ -103,6 +103,15 @@ def shared_data() -> Path:
     return folder
 
 
+@pytest.fixture(scope="session")
+def reproducers(shared_data) -> Path:
+    """Folder of files made after public reports; tests on them skip where it is absent."""
+    folder = shared_data.parent / "reproducers" / "turn4"
+    if not folder.is_dir():
+        pytest.skip(f"the files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
+    return folder
+
+
 #: Names of numbers of the formulas → their places in a joint file.
 PLACES = {
     **{

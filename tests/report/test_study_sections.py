@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from designed import design_problem, design_result, slip_limit
 
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.report.study_sections import STUDIED, ReportStudies, study_files, study_sections
-from asperity.study.design.design_problem import SUMMARY, DesignProblem, Objective, Variable, WorstCase
-from asperity.study.design.design_result import DesignResult, LimitReport
+from asperity.study.design.design_problem import Variable
 from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
 
 xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
@@ -84,44 +84,8 @@ def designed(case, monkeypatch):
     monkeypatch.setattr(
         "asperity.study.design.design_plot.design_figure", lambda result, width: Figure(figsize=(width, 2.0))
     )
-    problem = DesignProblem(
-        case=case,
-        joint_file="joint.toml",
-        level="assembly",
-        variables=(Variable("load.preload", 500.0, 2000.0, logarithmic=True),),
-        objectives=(Objective("assembly_stiffness_output", -1.0),),
-        constraints=(),
-        worst_case=WorstCase((0.0, 5.0), "none", 0, 0),
-        starts=1,
-        seed=0,
-    )
-    limit = LimitReport(
-        name="slip_ratio", label="slip ratio T/(mu N)", row="sp", at_most=True, limit=0.8, value=0.8, missed_by=0.0,
-        active=True, multiplier=0.1, implied=False, output_torque=5.0,
-    )  # fmt: skip
-    return DesignResult(
-        problem=problem,
-        feasible=True,
-        crossed=(),
-        allowed=(),
-        unknown=(),
-        point={"load.preload": 2000.0},
-        optimum={"load.preload": 2000.0},
-        at_bound={"load.preload": "upper"},
-        objective_before=30000.0,
-        objective_after=35000.0,
-        objective_unrounded=None,
-        missed_before=(),
-        summary_before=dict.fromkeys(SUMMARY, 1.0),
-        summary_after=dict.fromkeys(SUMMARY, float("nan")),
-        limits=(limit,),
-        diagnostics={"diagnostics": [], "life_hours": None, "no_result_because": None},
-        optimality_residual=0.0,
-        starts=(),
-        evaluations=1,
-        joint_text="# designed\n",
-        nominal={},
-    )
+    problem = design_problem(case, Variable("load.preload", 500.0, 2000.0, logarithmic=True))
+    return design_result(problem, {"load.preload": 2000.0}, slip_limit(0.1))
 
 
 def of(kind, blocks):

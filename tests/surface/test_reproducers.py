@@ -11,14 +11,6 @@ from asperity.surface.suspicious_heights import disagreement
 from asperity.surface.topography import without_missing
 
 
-@pytest.fixture(scope="session")
-def reproducers(shared_data):
-    folder = shared_data.parent / "reproducers" / "turn4"
-    if not folder.is_dir():
-        pytest.skip(f"the files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
-    return folder
-
-
 @pytest.mark.parametrize(
     ("name", "options", "rms_um", "digits"),
     [

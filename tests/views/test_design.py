@@ -4,17 +4,15 @@ import dataclasses
 
 import numpy as np
 import pytest
+from designed import design_problem, design_result, slip_limit
 from shown_blocks import sentences, tables
 
-from asperity.study.design.design_problem import SUMMARY, DesignProblem, Objective, Variable, WorstCase
-from asperity.study.design.design_result import DesignResult, LimitReport, StartReport
+from asperity.study.design.design_problem import Variable
+from asperity.study.design.design_result import StartReport
 from asperity.views.blocks import Bullets, Heading, Paragraph
 from asperity.views.design import design, design_warnings, front, front_warnings
 
-LIMIT = LimitReport(
-    name="slip_ratio", label="slip ratio T/(mu N)", row="sp", at_most=True, limit=0.8, value=0.8, missed_by=0.0,
-    active=True, multiplier=0.1234, implied=False, output_torque=5.0,
-)  # fmt: skip
+LIMIT = slip_limit(0.1234)
 
 
 def start(objective, *, converged=True, violation=0.0):
@@ -24,44 +22,13 @@ def start(objective, *, converged=True, violation=0.0):
 @pytest.fixture(scope="module")
 def found(case):
     """The paper's joint with twice its preload, which is the upper bound."""
-    problem = DesignProblem(
-        case=case,
-        joint_file="joint.toml",
-        level="assembly",
-        variables=(
-            Variable("load.preload", 500.0, 2000.0, logarithmic=True),
-            Variable("drive.planet_bore_diameter", 8e-3, 16e-3, logarithmic=False),
-        ),
-        objectives=(Objective("assembly_stiffness_output", -1.0),),
-        constraints=(),
-        worst_case=WorstCase((0.0, 5.0), "none", 0, 0),
-        starts=1,
-        seed=0,
+    problem = design_problem(
+        case,
+        Variable("load.preload", 500.0, 2000.0, logarithmic=True),
+        Variable("drive.planet_bore_diameter", 8e-3, 16e-3, logarithmic=False),
     )
     point = {"load.preload": 2000.0, "drive.planet_bore_diameter": 12e-3}
-    return DesignResult(
-        problem=problem,
-        feasible=True,
-        crossed=(),
-        allowed=(),
-        unknown=(),
-        point=point,
-        optimum=point,
-        at_bound={"load.preload": "upper"},
-        objective_before=30000.0,
-        objective_after=35000.0,
-        objective_unrounded=None,
-        missed_before=(),
-        summary_before=dict.fromkeys(SUMMARY, 1.0),
-        summary_after=dict.fromkeys(SUMMARY, float("nan")),
-        limits=(LIMIT,),
-        diagnostics={"diagnostics": [], "life_hours": None, "no_result_because": None},
-        optimality_residual=0.0,
-        starts=(start(1.0),),
-        evaluations=1,
-        joint_text="# designed\n",
-        nominal={},
-    )
+    return design_result(problem, point, LIMIT, (start(1.0),))
 
 
 def test_the_goal_before_and_as_designed(found):

@@ -4,11 +4,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from calibrated import calibrated
 from scipy.stats import binom, chi2
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import read_case
-from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves, residual_sentences
 from asperity.study.calibration.measurement import Measurement
@@ -66,19 +66,6 @@ def test_residuals_in_words():
         assert len(residual_sentences([curve(standing, 1e-6, statistic, rows)])) == 2, rows
 
 
-def fitted(case, measurements, texts=TEXTS):
-    unknowns = read_unknowns(texts, case=case, measurements=measurements)
-    return calibrate(
-        case=case,
-        measurements=measurements,
-        unknowns=unknowns,
-        level="assembly",
-        history="virgin",
-        starts=1,
-        seed=0,
-    )
-
-
 @pytest.fixture(scope="module")
 def case(zou_file):
     return read_case(zou_file)
@@ -128,7 +115,7 @@ def test_intervals_and_errors_hold_as_often_as_they_say(case, exact):
             curve + scatter * rng.standard_normal(curve.size)
             for curve, scatter in zip(exact, SCATTERS, strict=True)
         ]
-        found = fitted(case, both(*noisy))
+        found = calibrated(case, both(*noisy), TEXTS)
         ends.append([(each.lower, each.upper) for each in found.estimates])
         sizes.append([each.standard_deviation for each in found.curves])
     table = np.array(ends)
@@ -152,10 +139,10 @@ def test_together_they_tell_what_neither_tells_alone(case, exact):
         for curve, scatter in zip(exact, SCATTERS, strict=True)
     ]
     curves = both(*noisy)
-    together = {each.path: each for each in fitted(case, curves).estimates}
+    together = {each.path: each for each in calibrated(case, curves, TEXTS).estimates}
     turning = {
         each.path: each
-        for each in fitted(case, curves[1:], (*TEXTS[:3], "offset=-5 arcmin:5 arcmin")).estimates
+        for each in calibrated(case, curves[1:], (*TEXTS[:3], "offset=-5 arcmin:5 arcmin")).estimates
     }
     for path in ("load.preload", "surface.fractal_roughness"):
         joint, alone = together[path], turning[path]
@@ -165,7 +152,7 @@ def test_together_they_tell_what_neither_tells_alone(case, exact):
 
 @pytest.mark.long
 def test_exact_curves_give_exact_values(case, exact):
-    for each, true in zip(fitted(case, both(*exact)).estimates, TRUTH, strict=True):
+    for each, true in zip(calibrated(case, both(*exact), TEXTS).estimates, TRUTH, strict=True):
         assert each.value == pytest.approx(true, rel=1e-4, abs=0.0), each.path
 
 
@@ -183,4 +170,4 @@ def test_what_cannot_be_fitted_together(case, exact):
     with pytest.raises(InputError, match=r"'offset of drift' belongs to a drift curve beside another one"):
         read_unknowns([OFFSET_OF_DRIFT], case=case, measurements=(turning,))
     with pytest.raises(InputError, match=r"a posterior is drawn from one curve"):
-        posterior(fitted(case, (standing, turning), TEXTS[:2]), draws=50, seed=0)
+        posterior(calibrated(case, (standing, turning), TEXTS[:2]), draws=50, seed=0)

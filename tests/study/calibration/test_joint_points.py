@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from calibrated import calibrated
 from scipy.stats import binom, chi2
 
 from asperity.errors import NoSolutionError
@@ -12,7 +13,6 @@ from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.standing.windup import windup
 from asperity.study.calibration import joint_points as module
-from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.joint_points import joint_points
 from asperity.study.calibration.measurement import Measurement
@@ -129,19 +129,6 @@ def predicted(case, data, texts, values):
     return model(np.array([u.to_unit(v) for u, v in zip(unknowns, values, strict=True)]))[0]
 
 
-def fitted(case, data, texts=TEXTS):
-    unknowns = read_unknowns(texts, case=case, measurements=(data,))
-    return calibrate(
-        case=case,
-        measurements=(data,),
-        unknowns=unknowns,
-        level="assembly",
-        history="virgin",
-        starts=1,
-        seed=0,
-    )
-
-
 @pytest.fixture(scope="module")
 def loop(case):
     """First loading and a whole loop of the known joint, from its wind-up."""
@@ -171,7 +158,7 @@ def test_a_noisy_loop_gives_the_known_numbers_back(case, loop):
     scatter = 1e-3 * np.abs(angle).max()
     noise = scatter * np.random.default_rng(5).standard_normal(angle.size)
     texts = (*TEXTS[:2], "offset=-1 arcmin:1 arcmin")
-    found = fitted(case, measured(torque, angle=angle + noise + OFFSET), texts)
+    found = calibrated(case, (measured(torque, angle=angle + noise + OFFSET),), texts)
     low, high = chi2.ppf([1e-4, 1.0 - 1e-4], angle.size - 3) / (angle.size - 3)
     assert low < (found.curves[0].standard_deviation / scatter) ** 2 < high
     for each, true in zip(found.estimates, (*KNOWN[:2], OFFSET), strict=True):
@@ -188,9 +175,8 @@ def test_intervals_hold_the_truth_as_often_as_they_say(case):
     exact, rng = predicted(case, data, texts, truth), np.random.default_rng(11)
     rows = []
     for _ in range(count):
-        found = fitted(
-            case, measured(TORQUE, drift=exact + scatter * rng.standard_normal(TORQUE.size)), texts
-        )
+        noisy = measured(TORQUE, drift=exact + scatter * rng.standard_normal(TORQUE.size))
+        found = calibrated(case, (noisy,), texts)
         size = found.curves[0].standard_deviation
         rows.append([(each.lower, each.value, each.upper, size) for each in found.estimates])
     table = np.array(rows)
@@ -208,7 +194,7 @@ def test_what_cannot_be_told_apart_is_named(case):
     texts = TEXTS[:2]
     exact = predicted(case, measured(torque, drift=0.0 * torque), texts, KNOWN[:2])
     noise = 1e-3 * np.abs(exact).max() * np.random.default_rng(3).standard_normal(torque.size)
-    found = fitted(case, measured(torque, drift=exact + noise), texts)
+    found = calibrated(case, (measured(torque, drift=exact + noise),), texts)
     assert not found.directions[0].determined
     assert "NOT identifiable" in found.directions[0].words
 
@@ -218,4 +204,4 @@ def test_a_curve_past_gross_slip_is_refused(case):
     torque = np.array([1.0, 20.0, 60.0])
     for data in (measured(torque, angle=2e-6 * torque), measured(torque, drift=1e-3 * torque)):
         with pytest.raises(NoSolutionError, match=r"slips at the largest measured torque, 60 N"):
-            fitted(case, data, ("load.interference=29 um:31 um",))
+            calibrated(case, (data,), ("load.interference=29 um:31 um",))

@@ -190,18 +190,10 @@ def test_lines_that_are_not_used_are_named(tmp_path):
     assert [found.place(row) for row in range(3)] == ["line 4", "line 6", "line 7"]
 
 
-@pytest.fixture(scope="session")
-def curves(shared_data):
-    folder = shared_data.parent / "reproducers" / "turn4"
-    if not folder.is_dir():
-        pytest.skip(f"the files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
-    return folder
-
-
 @pytest.mark.parametrize(
     "name", ["torque_comma.csv", "torque_units_row.csv", "torque_N-m.csv", "torque_in-lb.csv"]
 )
-def test_the_same_curve_in_other_layouts_and_units(curves, name):
-    expected, found = (read_measurement(curves / each) for each in ("torque_ok.csv", name))
+def test_the_same_curve_in_other_layouts_and_units(reproducers, name):
+    expected, found = (read_measurement(reproducers / each) for each in ("torque_ok.csv", name))
     assert found.torque == pytest.approx(expected.torque, abs=1e-5)  # in-lb have four decimals
     assert found.angle == pytest.approx(expected.angle, rel=1e-12)

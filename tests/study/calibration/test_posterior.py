@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from calibrated import calibrated
 from scipy.special import logsumexp
 from scipy.stats import chi2, norm
 
@@ -15,7 +16,6 @@ from asperity.cli.runs.calibrate import _document
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration import posterior as module
-from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.calibration_plot import posterior_figure
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
@@ -29,7 +29,6 @@ from asperity.study.calibration.posterior import (
     sample,
     shifted,
 )
-from asperity.study.calibration.unknowns import read_unknowns
 from asperity.views.calibration import posterior as posterior_blocks
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
@@ -133,19 +132,8 @@ def log_posterior(squares, rows, deviation):
     return logsumexp(-rows * log_s - 0.5 * squares[..., None] * np.exp(-2.0 * log_s), axis=-1)
 
 
-def calibrated(zou_file, torque, angle, texts):
-    data = Measurement(torque, angle, None, None, np.zeros(torque.size), "synthetic")
-    case = read_case(zou_file)
-    unknowns = read_unknowns(texts, case=case, measurements=(data,))
-    return calibrate(
-        case=case,
-        measurements=(data,),
-        unknowns=unknowns,
-        level="assembly",
-        history="virgin",
-        starts=1,
-        seed=0,
-    )
+def measured(torque, angle):
+    return Measurement(torque, angle, None, None, np.zeros(torque.size), "synthetic")
 
 
 @pytest.fixture(scope="module")
@@ -154,10 +142,11 @@ def cut_joint(zou_file):
     torque = np.array([0.3, 1.0, 2.0, 4.0, 6.0, 8.0, 9.0, 5.0, 1.0, 0.5, -0.5, -3.0, -7.0, -9.0, -2.0, 0.4])
     texts = ("load.preload=940 N:3000 N", "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     angle = np.linspace(1e-5, 2e-5, torque.size)
-    model: CurveModel = calibrated(zou_file, torque, angle, texts).curves[0].model
+    case = read_case(zou_file)
+    model: CurveModel = calibrated(case, (measured(torque, angle),), texts).curves[0].model
     angle = model(np.array([model.unknowns[0].to_unit(945.0), 0.1, 0.3]))[0]
     angle = angle + 3e-6 * np.random.default_rng(4).standard_normal(torque.size)
-    return calibrated(zou_file, torque, angle, texts)
+    return calibrated(case, (measured(torque, angle),), texts)
 
 
 @pytest.fixture(scope="module")
