@@ -1,6 +1,7 @@
 """The library of materials and finishes."""
 
 import pytest
+from bronze import BRONZE
 
 from asperity.errors import InputError
 from asperity.library import (
@@ -11,17 +12,6 @@ from asperity.library import (
 from asperity.surface.roughness_average import roughness_average
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
-
-OWN = """
-[bronze]
-description = "a bronze"
-reference = "own tests"
-youngs_modulus = "110 GPa"
-poisson_ratio = 0.34
-density = "8800 kg/m^3"
-yield_strength = "200 MPa"
-hardness_factor = 2.8
-"""
 
 
 def test_every_entry_has_a_source_and_sensible_numbers():
@@ -64,7 +54,7 @@ def test_g_of_a_finish_has_its_ra():
 
 def test_own_file_adds_and_replaces(tmp_path):
     path = tmp_path / "own.toml"
-    path.write_text(OWN + OWN.replace("[bronze]", "[52100]"))
+    path.write_text(BRONZE + BRONZE.replace("[bronze]", "[52100]"))
     found = read_materials(path)
     assert found["bronze"].numbers["poisson_ratio"] == 0.34
     assert found["52100"].numbers["youngs_modulus"] == "110 GPa"
@@ -84,13 +74,13 @@ def test_own_file_adds_and_replaces(tmp_path):
 )
 def test_bad_entries(tmp_path, old, new, message):
     path = tmp_path / "own.toml"
-    path.write_text(OWN.replace(old, new))
+    path.write_text(BRONZE.replace(old, new))
     with pytest.raises(InputError, match=rf"own\.toml: library entry bronze: .*{message}"):
         read_materials(path)
 
 
 def test_joint_files_take_materials_by_name(tmp_path):
-    (tmp_path / "own.toml").write_text(OWN)
+    (tmp_path / "own.toml").write_text(BRONZE)
     tables = {
         "materials": {
             "soft": {"library": "bronze", "file": "own.toml"},

@@ -3,17 +3,7 @@
 import json
 
 import pytest
-
-OWN = """
-[bronze]
-description = "a bronze"
-reference = "own tests"
-youngs_modulus = "110 GPa"
-poisson_ratio = 0.34
-density = "8800 kg/m^3"
-yield_strength = "200 MPa"
-hardness_factor = 2.8
-"""
+from bronze import BRONZE
 
 
 def test_the_whole_library(call):
@@ -40,7 +30,7 @@ def test_finishes_are_in_si(call):
 
 
 def test_a_library_file_of_one_s_own(call, tmp_path):
-    (tmp_path / "mine.toml").write_text(OWN)
+    (tmp_path / "mine.toml").write_text(BRONZE)
     told = call("materials", "bronze", "--file", tmp_path / "mine.toml")
     assert told.code == 0
     assert "110 GPa" in told.out
@@ -63,7 +53,7 @@ def test_refusals(call, arguments, said):
 
 def test_numbers_of_a_library_file_are_checked_as_those_of_a_joint_file(call, tmp_path):
     path = tmp_path / "mine.toml"
-    path.write_text(OWN.replace('"110 GPa"', '"-5 GPa"'))
+    path.write_text(BRONZE.replace('"110 GPa"', '"-5 GPa"'))
     outcome = call("materials", "--file", path)
     assert (outcome.code, outcome.out) == (2, "")
     assert "mine.toml: library entry bronze: materials.bronze.youngs_modulus: -5" in outcome.err

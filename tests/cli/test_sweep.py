@@ -4,9 +4,8 @@ import re
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from commands import run
 
-from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.results.table import GROUPS
 
@@ -14,14 +13,7 @@ FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
 TORQUE = ["--over", "load.output_torque=0 N*m:20 N*m:3"]
 
 
-@pytest.fixture(autouse=True)
-def _no_cache(monkeypatch, tmp_path):
-    monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
-    monkeypatch.chdir(tmp_path)
-
-
-def run(*arguments):
-    return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def test_help_names_every_group_of_results():

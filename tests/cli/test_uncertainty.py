@@ -5,22 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import run
 
-from asperity.cli.commands import asperity
 from asperity.errors import InputError
 
 FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
 
 
-@pytest.fixture(autouse=True)
-def _no_cache(monkeypatch, tmp_path):
-    monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
-    monkeypatch.chdir(tmp_path)
-
-
-def run(*arguments):
-    return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 @pytest.mark.slow

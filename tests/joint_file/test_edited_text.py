@@ -2,6 +2,7 @@
 
 import pytest
 import tomlkit
+from bronze import BRONZE
 
 from asperity.joint_file import edited_text
 from asperity.joint_file.edited_text import entered_key_at, entered_values, joint_file_text, set_texts
@@ -143,19 +144,8 @@ def test_hardness_replaces_its_factor(zou_file):
     assert "materials.steel.hardness_factor" not in found
 
 
-OWN = """[bronze]
-description = "a bronze"
-reference = "own tests"
-youngs_modulus = "110 GPa"
-poisson_ratio = 0.34
-density = "8800 kg/m^3"
-yield_strength = "200 MPa"
-hardness_factor = 2.8
-"""
-
-
 def test_materials_of_libraries(zou_file, tmp_path):
-    (tmp_path / "own.toml").write_text(OWN)
+    (tmp_path / "own.toml").write_text(BRONZE)
     text = (
         zou_file.read_text()
         .replace('sun = "steel"', 'sun = "52100" # bought')

@@ -2,6 +2,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from bronze import BRONZE
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import case_from_tables
@@ -17,16 +18,6 @@ STEEL = {
     "yield_strength": "450 MPa",
     "hardness_factor": 2.8,
 }
-BRONZE = """
-[bronze]
-description = "a bronze"
-reference = "own tests"
-youngs_modulus = "110 GPa"
-poisson_ratio = 0.34
-density = "8800 kg/m^3"
-yield_strength = "200 MPa"
-hardness_factor = 2.8
-"""
 
 
 @pytest.fixture(scope="module")
