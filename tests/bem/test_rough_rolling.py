@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from soft_asperities import soft_slip_ratio
 
 from asperity.bem.rough_rolling import RoughPressure, _Bundle, rough_pressure, rough_rolling
 
@@ -54,16 +55,6 @@ def test_how_far_the_load_spreads(layer_ratio):
     assert root_mean_square(contact) == pytest.approx(math.sqrt(0.25 + layer_ratio), rel=2e-4)
     width = contact.position[0] - contact.position[1]
     assert width * contact.pressure.sum() == pytest.approx(0.5 * math.pi, rel=1e-12)
-
-
-def soft_slip_ratio(k):
-    """Rigid bodies: springs that touch at X, in numbers of X exp(-X^2/2), creep k (X - x) up to (X^2 - x^2)/2."""
-    X = np.linspace(0.0, 12.0, 40001)
-    meets = np.where(k < X, 2.0 * k - X, X)
-    sticks = np.where(k < X, 2.0 * k * (X - k) ** 2, 0.0)
-    slips = 0.5 * X**2 * (meets + X) - (meets**3 + X**3) / 6.0
-    number = X * np.exp(-0.5 * X**2)
-    return np.trapezoid(number * (sticks + slips), X) / np.trapezoid(number * X**3 * 2.0 / 3.0, X)
 
 
 @pytest.mark.parametrize("k", [0.2, 0.7, 1.5])

@@ -5,6 +5,7 @@ import math
 import jax
 import numpy as np
 import pytest
+from soft_asperities import soft_slip_ratio
 
 from asperity.bem.rough_rolling import rough_pressure, rough_rolling
 from asperity.contact import creep_layer
@@ -74,16 +75,6 @@ def test_entries_of_the_table_recomputed(i, j, k):
     s, q, kappa = (float(values[place]) for values, place in zip(nodes, (i, j, k), strict=True))
     _, (expected,) = by_boundary_elements(s, [q], kappa, 240)
     assert 1.0 + s / math.sqrt(1.0 + s) * creep_layer._TABLE[i, j, k] == pytest.approx(expected, rel=1e-3)
-
-
-def soft_slip_ratio(k):
-    """Rigid bodies: springs that touch at X, in numbers of X exp(-X^2/2), creep k (X - x) up to (X^2 - x^2)/2."""
-    X = np.linspace(0.0, 12.0, 40001)
-    meets = np.where(k < X, 2.0 * k - X, X)
-    sticks = np.where(k < X, 2.0 * k * (X - k) ** 2, 0.0)
-    slips = 0.5 * X**2 * (meets + X) - (meets**3 + X**3) / 6.0
-    number = X * np.exp(-0.5 * X**2)
-    return np.trapezoid(number * (sticks + slips), X) / np.trapezoid(number * X**3 * 2.0 / 3.0, X)
 
 
 @pytest.mark.parametrize("kappa", [0.7, STEEL, 1.3])

@@ -3,6 +3,7 @@
 import jax
 import numpy as np
 import pytest
+from rolling_strip import rolling_strip
 
 from asperity.contact.rolling_in import (
     STROKES,
@@ -177,29 +178,7 @@ CELLS, PIXEL, STEPS = 100, 0.02, 800
 
 @pytest.fixture(scope="module")
 def rolled():
-    """Shift over the creepage at gross slip, by the steps rolled, from a contact at rest; half-width 1."""
-    from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
-
-    pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
-    strip = FreeHalfSpace(pair, shape=(CELLS + 2,), pixel_size=(PIXEL,), reference_distance=10.0)
-    edge = np.linspace(-1.0, 1.0, CELLS + 1)
-    pressure = np.pad(np.diff(0.5 * (edge * np.sqrt(1.0 - edge**2) + np.arcsin(edge))) / PIXEL, 1)
-
-    def shift(steps, slip_ratio, layer=0.0):
-        padded = np.zeros(STEPS, dtype=int)
-        padded[: len(steps)] = steps
-        found = transient_rolling(
-            strip,
-            pressure,
-            friction_coefficient=1.0,
-            axis=0,
-            rolled_pixels=np.r_[0, padded],
-            layer_compliance=layer,
-            tangential_force=np.full(STEPS + 1, slip_ratio * pressure.sum() * PIXEL),
-        )
-        return np.asarray(found.shear.displacement)[: len(steps) + 1]
-
-    return shift
+    return rolling_strip(CELLS, STEPS)
 
 
 def swings(stroke):
@@ -217,7 +196,7 @@ def share_of_last(shift, stroke, q, factor=1.0):
     ("q", "stroke"), [(0.15, 82), (0.15, 130), (0.36, 62), (0.36, 100), (0.65, 34), (0.65, 75), (0.86, 30)]
 )
 def test_share_against_boundary_elements(rolled, q, stroke):
-    found = share_of_last(rolled(swings(stroke), q), stroke, q)
+    found = share_of_last(rolled(q, swings(stroke)), stroke, q)
     model = float(swing_drift_share(stroke=stroke * PIXEL, half_width=1.0, slip_ratio=q))
     assert model == pytest.approx(found, abs=0.03)
 
@@ -275,16 +254,16 @@ def test_the_table_of_swings_recomputed(load_example, monkeypatch, q, column):
 @pytest.mark.parametrize("q", [0.05, 0.36, 0.7])
 def test_short_swings_come_to_rest(rolled, q):
     stroke = int(float(still_stroke(half_width=1.0, slip_ratio=q)) / PIXEL)
-    assert abs(share_of_last(rolled(swings(stroke), q), stroke, q)) < 0.01
+    assert abs(share_of_last(rolled(q, swings(stroke)), stroke, q)) < 0.01
     assert float(swing_drift_share(stroke=stroke * PIXEL, half_width=1.0, slip_ratio=q)) < 0.005
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("q", "stroke"), [(0.3, 100), (0.5, 50), (0.7, 50)])
 def test_an_elastic_layer_changes_little(rolled, q, stroke):
-    one_way = rolled(np.ones(400, int), q, layer=0.2)
+    one_way = rolled(q, np.ones(400, int), layer=0.2)
     factor = (one_way[-1] - one_way[-51]) / (50 * PIXEL) / (1.0 - np.sqrt(1.0 - q))
-    found = share_of_last(rolled(swings(stroke), q, layer=0.2), stroke, q, factor)
+    found = share_of_last(rolled(q, swings(stroke), layer=0.2), stroke, q, factor)
     model = float(swing_drift_share(stroke=stroke * PIXEL, half_width=1.0, slip_ratio=q))
     assert model == pytest.approx(found, abs=0.04)
 
@@ -293,7 +272,7 @@ def test_an_elastic_layer_changes_little(rolled, q, stroke):
 @pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_nothing_comes_back_on_reversal(rolled, q):
     """After steady rolling the drift pauses for about a half-width, and goes on in the same direction."""
-    shift = rolled(np.r_[np.ones(175, int), -np.ones(175, int)], q)
+    shift = rolled(q, np.r_[np.ones(175, int), -np.ones(175, int)])
     steady = 1.0 - np.sqrt(1.0 - q)
     back = (shift[176:] - shift[175]) / steady
     assert np.all(back > -1e-3)

@@ -4,6 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from flamant import flamant_field
 from scipy.optimize import minimize, minimize_scalar
 
 from asperity.contact.shakedown import (
@@ -14,19 +15,6 @@ from asperity.contact.shakedown import (
 )
 from asperity.contact.stress_peaks import mises_friction, mises_peak, shear_peak
 from asperity.contact.subsurface_stress import rolling_stress
-
-
-def flamant_field(friction, x, z):
-    """Stresses under full slip on arrays of places, Gauss rule of the ellipse over Flamant's line forces."""
-    angle = np.arange(1, 801) * np.pi / 801
-    s, weight = np.cos(angle), np.pi / 801 * np.sin(angle) ** 2
-    d, depth = x[..., None] - s, z[..., None]
-    share = -2 / np.pi * weight / (d * d + depth * depth) ** 2
-    return (
-        np.sum(share * (d**2 * depth + friction * d**3), -1),
-        np.sum(share * (depth**3 + friction * d * depth**2), -1),
-        np.sum(share * (d * depth**2 + friction * d**2 * depth), -1),
-    )
 
 
 @pytest.mark.parametrize(
@@ -74,7 +62,7 @@ def test_melans_theorem_at_the_limit(friction, poisson, criterion):
             outside = np.where(np.abs(x) > 1, np.sign(x) * np.sqrt(np.maximum(x**2 - 1, 0)), 0)
             sx, sz, t = -inside - 2 * friction * (x - outside), -inside, -friction * inside
         else:
-            sx, sz, t = flamant_field(friction, x, np.full_like(x, depth))
+            sx, sz, t = flamant_field(friction, x, np.full_like(x, depth), 800)
 
         def worst_square(rho, sx=sx, sz=sz, t=t):
             in_plane = ((sx + rho[0] - sz) / 2) ** 2 + t**2
@@ -138,7 +126,7 @@ def test_partial_slip_bears_more_than_full_slip_and_less_than_none(friction):
 @pytest.mark.parametrize("friction", [0.0, 0.1, 0.2, 0.24, 0.3, 0.5])
 def test_first_yield_is_the_largest_stress_of_flamants_field(friction):
     x, z = np.meshgrid(np.linspace(-1.2, 1.2, 81), np.linspace(0.05, 1.2, 60), indexing="ij")
-    sx, sz, t = flamant_field(friction, x, z)
+    sx, sz, t = flamant_field(friction, x, z, 800)
     inside = np.sqrt(1 - np.linspace(-1, 1, 401) ** 2)
     top = -inside - 2 * friction * np.linspace(-1, 1, 401), -inside, -friction * inside
     sx, sz, t = (np.concatenate([a.ravel(), b]) for a, b in zip((sx, sz, t), top, strict=True))

@@ -3,6 +3,7 @@
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from flamant import flamant_field
 
 from asperity.contact.shakedown_table import MISES, SHEAR
 from asperity.contact.stress_peaks import (
@@ -14,21 +15,6 @@ from asperity.contact.stress_peaks import (
     mises_peak,
     shear_peak,
 )
-
-
-def flamant_field(friction, x, z):
-    """sigma_x, sigma_z, tau_xz on a grid by the Gauss rule of the ellipse (Chebyshev, second kind), 400 points."""
-    angle = np.arange(1, 401) * np.pi / 401
-    s, weight = np.cos(angle), np.pi / 401 * np.sin(angle) ** 2
-    d = x[..., None] - s
-    depth = z[..., None]
-    share = -2 / np.pi * weight / (d * d + depth * depth) ** 2
-    return (
-        np.sum(share * (d**2 * depth + friction * d**3), -1),
-        np.sum(share * (depth**3 + friction * d * depth**2), -1),
-        np.sum(share * (d * depth**2 + friction * d**2 * depth), -1),
-    )
-
 
 GRID = np.meshgrid(np.linspace(-1.2, 1.2, 97), np.linspace(0.1, 1.2, 56), indexing="ij")
 
@@ -54,7 +40,7 @@ def test_peaks_are_the_largest_of_flamants_field():
     assert bool(jnp.all(shear.solved))
     assert bool(jnp.all(mises.solved))
     for i, friction in enumerate(FRICTIONS):
-        sx, sz, t = flamant_field(friction, *GRID)
+        sx, sz, t = flamant_field(friction, *GRID, 400)
         largest = [np.abs(t).max()]
         expected = [float(shear.stress[i])]
         if friction <= 0.2:  # beyond, the largest Mises stress for nu = 0.3 is at the surface
@@ -86,5 +72,5 @@ def test_surface_overtakes_every_tabulated_peak_within_the_table():
 
 def test_full_slip_in_units_of_the_contact():
     found = full_slip_stress(position=0.3, depth=0.4, friction_coefficient=0.2)
-    expected = [float(v[0]) for v in flamant_field(0.2, np.array([0.3]), np.array([0.4]))]
+    expected = [float(v[0]) for v in flamant_field(0.2, np.array([0.3]), np.array([0.4]), 400)]
     np.testing.assert_allclose([found.longitudinal, found.normal, found.shear], expected, rtol=1e-9)

@@ -2,12 +2,12 @@
 
 import dataclasses
 import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
 from both_engines import Engines, Formula, rows
 from machines import laws_and_states
+from rolled_joint import Lives, Rolled
 
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.engine.arrays import as_numbers
@@ -49,21 +49,6 @@ SERIES = {
 }
 #: Angles below a swing that drifts, between, and far beyond the tables.
 TURNED = np.array([0.0, 1e-3, 3e-3, 2e-2, 1.0])
-
-
-class Lives(NamedTuple):
-    drive: object
-
-
-class Rolled(NamedTuple):
-    """What a duty needs of a joint that turns."""
-
-    cycles: object
-    cycles_per_turn: object
-    output_speed: object
-    life_hours: Lives
-    shakedown_ratio: object
-    slip_ratio: object
 
 
 def of_duty(torque, speed, share):

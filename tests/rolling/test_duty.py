@@ -1,9 +1,8 @@
 """The life under a duty, from lives that are made up: Palmgren and Miner by hand."""
 
-from typing import NamedTuple
-
 import numpy as np
 import pytest
+from rolled_joint import Lives, Rolled
 
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
@@ -18,19 +17,6 @@ WEDGE_DRIVE = BodiesOfContacts(
 )
 SLOPE = 10.0 / 9.0
 CYCLES = 1e9  # that a track lives at a torque of 1 N·m; the life falls with the cube of the torque
-
-
-class Lives(NamedTuple):
-    drive: object
-
-
-class Rolled(NamedTuple):
-    cycles: object
-    cycles_per_turn: object
-    output_speed: object
-    life_hours: Lives
-    shakedown_ratio: object
-    slip_ratio: object
 
 
 def conditions(*loads, reliability=0.9):

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from rolling_strip import rolling_strip
 
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
@@ -54,25 +55,11 @@ def test_ends_on_the_drift_line_of_steady_rolling(joint, onset):
 @pytest.fixture(scope="module")
 def shifts():
     """Shift of a smooth contact over rolled distance since the start, both over the half-width, by its forces."""
-    from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
-
-    pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
-    strip = FreeHalfSpace(pair, shape=(CELLS + 2,), pixel_size=(PIXEL,), reference_distance=10.0)
-    edge = np.linspace(-1.0, 1.0, CELLS + 1)
-    pressure = np.pad(np.diff(0.5 * (edge * np.sqrt(1.0 - edge**2) + np.arcsin(edge))) / PIXEL, 1)
+    shift = rolling_strip(CELLS, STEPS)
 
     def run(slip_ratio, steps):
-        found = transient_rolling(
-            strip,
-            pressure,
-            friction_coefficient=1.0,
-            axis=0,
-            rolled_pixels=np.r_[0, steps],
-            layer_compliance=0.0,
-            tangential_force=np.full(STEPS + 1, slip_ratio * pressure.sum() * PIXEL),
-        )
-        shift = np.asarray(found.shear.displacement)
-        return shift - shift[0]
+        found = shift(slip_ratio, steps)
+        return found - found[0]
 
     return run
 
