@@ -13,23 +13,6 @@ PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=
 DX, DY = 0.8, 1.3
 
 
-@pytest.mark.slow
-def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
-    free = FreeHalfSpace(PAIR, shape=(41, 41), pixel_size=(1.0, 1.0))
-    point = np.zeros((2, 41, 41))
-    point[0, 0, 0] = 1.0
-    x, y = 40.0, 30.0
-    r = np.hypot(x, y)
-    normal = free.normal_displacement(jnp.array(point[0]))[40, 30]
-    assert float(normal) == pytest.approx(
-        1.0 / (np.pi * 2.0 * r), rel=1e-4
-    )  # Johnson 1985, (3.22a), both bodies
-    shear = free.shear_displacement(jnp.array(point))[:, 40, 30]
-    nu, G = PAIR.poisson_ratio, PAIR.antiplane_modulus
-    point_load = np.array([1.0 - nu + nu * x**2 / r**2, nu * x * y / r**2]) / (2.0 * np.pi * G * r)
-    np.testing.assert_allclose(shear, point_load, rtol=1e-4)  # Johnson 1985, (3.75)
-
-
 def test_the_padded_convolution_has_no_images():
     free = FreeHalfSpace(PAIR, shape=(6, 5), pixel_size=(0.4, 0.3))
     columns = np.stack([np.ravel(free.normal_displacement(jnp.array(e.reshape(6, 5)))) for e in np.eye(30)])

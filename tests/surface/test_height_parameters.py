@@ -11,14 +11,9 @@ from asperity.surface.measure_files import read_surface
 from asperity.surface.topography import Topography
 
 
-def test_sine():
+def test_element_width_of_a_sine():
     x = np.arange(10000) * 1e-7
     h = height_parameters(topography=Topography(2e-6 * np.sin(2 * np.pi * x / 1e-4 + 0.3), 1e-7))
-    assert h.arithmetic_mean == pytest.approx(2e-6 * 2 / np.pi, rel=1e-4)
-    assert h.root_mean_square == pytest.approx(2e-6 / np.sqrt(2), rel=1e-4)
-    assert h.kurtosis == pytest.approx(1.5, rel=1e-4)
-    assert abs(h.skewness) < 1e-6
-    assert h.total_height == pytest.approx(4e-6, rel=1e-4)
     assert h.mean_element_width == pytest.approx(1e-4, rel=1e-3)
 
 

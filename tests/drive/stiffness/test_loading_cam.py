@@ -36,11 +36,6 @@ def angle(torque):
     return cam_angle(**cam, closed=closed[None])
 
 
-def test_preload_grows_with_the_torque_in_both_directions():
-    found = cam_preload(least_preload=LEAST, force_per_torque=CAM, output_torque=np.array([-4.0, 0.0, 4.0]))
-    assert np.asarray(found).tolist() == [800.0, 200.0, 800.0]
-
-
 @pytest.mark.slow
 def test_the_torque_does_the_work_that_compresses_the_contacts():
     """Both works by quadrature: of the torque on the cam's angle, and of the ring force beyond its least one."""
