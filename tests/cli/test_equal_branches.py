@@ -56,16 +56,22 @@ def test_what_is_kept_of_a_measured_surface_is_said(call, monkeypatch, heights, 
     assert outcome.err.count("what the contacts feel of the measured surface") == notes
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
-def test_commands_of_the_files_own_branches_say_so(call, unequal):
-    """Three planets 2 um larger carry 13 N·m, and are an interference of 34 um; equal ones of 30 um carry 12.1 N·m."""
+def enlarged(unequal):
+    """Three planets 2 um larger at 13 N·m, and beside them a file of equal ones of 34 um, whose name is returned."""
     text = (EXAMPLES / "planetary.toml").read_text(encoding="utf-8")
     stronger = text.replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
     harder = unequal.parent / "harder.toml"
     harder.write_text(stronger.replace('interference = "30 um"', 'interference = "34 um"'), encoding="utf-8")
     branches = '[[branch]]\nplanet_deviation = "2 um"\n\n' * 3
     unequal.write_text(stronger.replace("[model]", f"{branches}[model]", 1), encoding="utf-8")
+    return harder
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
+def test_commands_of_the_files_own_branches_say_so(call, unequal):
+    """Three planets 2 um larger carry 13 N·m, and are an interference of 34 um; equal ones of 30 um carry 12.1 N·m."""
+    harder = enlarged(unequal)
     for command, keys in (
         ("windup", ("windup_rad", "hysteresis_rad", "lost_motion_rad", "dissipated_energy_J")),
         ("dynamics", ("stiffness_output_Nm_per_rad", "free_frequency_Hz", "corner_frequency_Hz")),
@@ -92,12 +98,7 @@ def test_commands_of_the_files_own_branches_say_so(call, unequal):
 @pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
 def test_what_rolls_is_what_the_branches_of_the_file_do_together(call, unequal, tmp_path):
     """The same three planets; 2 and 1 um less than nominal, they would slip at less than equal ones."""
-    text = (EXAMPLES / "planetary.toml").read_text(encoding="utf-8")
-    stronger = text.replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
-    harder = unequal.parent / "harder.toml"
-    harder.write_text(stronger.replace('interference = "30 um"', 'interference = "34 um"'), encoding="utf-8")
-    branches = '[[branch]]\nplanet_deviation = "2 um"\n\n' * 3
-    unequal.write_text(stronger.replace("[model]", f"{branches}[model]", 1), encoding="utf-8")
+    harder = enlarged(unequal)
     own, equal = (call("roll", file, "--json") for file in (unequal, harder))
     assert (own.code, own.err, equal.code) == (0, "", 0)
     found, expected = json.loads(own.out), json.loads(equal.out)

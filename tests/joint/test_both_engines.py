@@ -7,7 +7,7 @@ from pathlib import Path
 import jax
 import numpy as np
 import pytest
-from both_engines import Engines, Formula, assert_alike, direction, rows
+from both_engines import Engines, Formula, assert_alike, direction, rows, tests_of_engines
 from machines import laws_and_states
 
 from asperity.engine import trees
@@ -235,14 +235,7 @@ def engines(made):
     )
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_both_engines_compute_the_same_numbers(engines, name):
-    engines.check_value(name)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_slopes_under_numpy_are_those_of_jax(engines, name):
-    engines.check_slope(name)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = tests_of_engines(NAMES)
 
 
 # --- states

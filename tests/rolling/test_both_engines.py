@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from both_engines import Engines, Formula, rows
+from both_engines import Engines, Formula, rows, tests_of_engines
 from machines import laws_and_states
 from rolled_joint import Lives, Rolled
 
@@ -188,11 +188,4 @@ def engines(planar_joint):
 NAMES = [*SMALL, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_both_engines_compute_the_same_numbers(engines, name):
-    engines.check_value(name)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_slopes_under_numpy_are_those_of_jax(engines, name):
-    engines.check_slope(name)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = tests_of_engines(NAMES)

@@ -145,6 +145,19 @@ class Engines:
         self._found |= jax.jit(program)(numbers, slopes)
 
 
+def tests_of_engines(names: Iterable[Any]) -> tuple[Callable[..., None], Callable[..., None]]:
+    """As :meth:`Engines.tests`, of formulas that a fixture ``engines`` makes, by their names."""
+    every = pytest.mark.parametrize("name", list(names))
+
+    def value(engines: Engines, name: str) -> None:
+        engines.check_value(name)
+
+    def slope(engines: Engines, name: str) -> None:
+        engines.check_slope(name)
+
+    return every(value), every(slope)
+
+
 def _without_conditions(slopes: Any) -> Any:
     """Slopes as JAX has them, with 0 for those of counts and conditions, which it does not have."""
     return jax.tree.map(
