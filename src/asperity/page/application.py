@@ -138,7 +138,7 @@ class _JointAddresses:
             Route("/api/joint/{identity:str}/joint.{kind}", self._download, methods=["GET"]),
         ]
 
-    def answered(self, request: JointRequest) -> dict[str, Any]:
+    def answered(self, request: JointRequest) -> Document:
         """What the page is told about a joint; computed once while it is kept."""
         answer = self._kept.get(request.identity)
         if answer is None:
