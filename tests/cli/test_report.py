@@ -46,9 +46,23 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert not list(tmp_path.glob("r.*"))
 
 
+@pytest.fixture
+def reported(call, joint_file, tmp_path):
+    """Maker of the file of a measured surface, and of the report with it."""
+
+    def made(document):
+        file, report = tmp_path / "measured.json", tmp_path / "r.html"
+        file.write_text(json.dumps(document))
+        outcome = call("report", joint_file(), "--surface", file, "--out", report)
+        assert (outcome.code, outcome.err.strip()) == (0, f"wrote {report}")
+        return file, report.read_text(encoding="utf-8")
+
+    return made
+
+
 @pytest.mark.long
 def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_report(
-    call, joint_file, tmp_path
+    call, joint_file, tmp_path, reported
 ):
     document = {
         "schema": "asperity-surface-measurement", "schema_version": 1, "source": "made <up>", "estimator": "none",
@@ -56,11 +70,7 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
         "covariance_of_dimension_and_log_roughness": [[1e-6, 0.0], [0.0, 1e-3]],
         "shortest_wavelength_m": 1e-6, "longest_wavelength_m": 1e-4, "profiles": 10,
     }  # fmt: skip
-    file = tmp_path / "measured.json"
-    file.write_text(json.dumps(document))
-    outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
-    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
-    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    file, text = reported(document)
     # of both bodies, which are alike: 1e-8 mm times 2^(1/0.9)
     assert "95 % interval from the measured surface, D = 1.450, G = 2.16e-8 mm" in text
     assert "each body as measured: made &lt;up&gt;" in text
@@ -77,17 +87,13 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
 
 
 @pytest.mark.long
-def test_a_surface_without_a_power_law_is_in_the_report_with_its_interval(call, joint_file, tmp_path):
+def test_a_surface_without_a_power_law_is_in_the_report_with_its_interval(reported):
     noise = 1e-7 * np.random.default_rng(0).standard_normal((1, 1000))
     spectrum = spectrum_of_profiles(profiles=noise, spacing=1e-6, lay="rolling", source="ring")
     document = roughness_document(
         MeasuredRoughness(None, "no power law of <white> noise", (spectrum,), "ring")
     )
-    file = tmp_path / "measured.json"
-    file.write_text(json.dumps(document))
-    outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
-    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
-    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    _, text = reported(document)
     assert "Interval of the contact law, and of the rms of the heights" in text
     assert "Contact laws side by side" in text
     assert "0.43 to 1.14" in text

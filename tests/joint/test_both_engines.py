@@ -7,7 +7,8 @@ from pathlib import Path
 import jax
 import numpy as np
 import pytest
-from both_engines import Engines, Formula, assert_alike, direction, rows, tests_of_engines
+from both_engines import Engines, Formula, assert_alike, direction, engine_tests, rows
+from joint_changes import BEARINGS, CAM, CROWNS, SKEW, SPRINGS
 from machines import laws_and_states
 
 from asperity.engine import trees
@@ -38,21 +39,7 @@ from asperity.joint.working_loads import member_speeds, pin_bending, working_loa
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 
-SPRINGS = {
-    'bodies = "exact"': 'bodies = "springs"',
-    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
-}
-SKEW = '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\nhysteresis_factor = 0.01\n\n[lubrication]'
-CROWNS = 'sun_crown_radius = "2 m"\nplanet_crown_radius = "3 m"\n\n[load]'
-CAM = '[load]\ncam_force_per_torque = "60 N/Nm"\n'
-PINS = """[bearings]
-sun_torque = "0.001 N*m"
-loading_roller_torque = "0.0005 N*m"
-carrier_torque = "0.005 N*m"
-pin_friction_coefficient = 0.002
-pin_diameter = "4 mm"
-pin_length = "6 mm"
-pin_radial_clearance = "5 um"
+PINS = f"""{BEARINGS}pin_radial_clearance = "5 um"
 
 [pin_bearing]
 type = "roller"
@@ -235,7 +222,7 @@ def engines(made):
     )
 
 
-test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = tests_of_engines(NAMES)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = engine_tests(NAMES)
 
 
 # --- states

@@ -5,7 +5,8 @@ import math
 
 import numpy as np
 import pytest
-from both_engines import Engines, Formula, rows, tests_of_engines
+from both_engines import Engines, Formula, engine_tests, rows
+from joint_changes import CROWNS, SKEW, SPRINGS
 from machines import laws_and_states
 from rolled_joint import Lives, Rolled
 
@@ -20,15 +21,9 @@ from asperity.rolling.duty import duty_life
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import rolling_at
 
-SPRINGS = {
-    'bodies = "exact"': 'bodies = "springs"',
-    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
-}
-ROLLING = '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\nhysteresis_factor = 0.01\n\n[lubrication]'
-CROWNS = 'sun_crown_radius = "2 m"\nplanet_crown_radius = "3 m"\n\n[load]'
 JOINTS = {
     "parallel": SPRINGS,
-    "skewed": {**SPRINGS, "[lubrication]": ROLLING},
+    "skewed": {**SPRINGS, "[lubrication]": SKEW},
     "crowned": {**SPRINGS, "[load]": CROWNS},
 }
 #: A drive of three kinds of bodies; the first and the last are shared by all branches.
@@ -188,4 +183,4 @@ def engines(planar_joint):
 NAMES = [*SMALL, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
 
 
-test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = tests_of_engines(NAMES)
+test_both_engines_compute_the_same_numbers, test_slopes_under_numpy_are_those_of_jax = engine_tests(NAMES)

@@ -4,6 +4,7 @@ import jax
 import numpy as np
 import pytest
 from both_engines import assert_alike, direction
+from joint_changes import BEARINGS, CAM, SKEW, SPRINGS
 
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
@@ -14,25 +15,11 @@ from asperity.joint.machine import joint_machine
 from asperity.standing.over_torque import curve_program, over_torque_of_assembled, standing_of_assembled
 from asperity.standing.springs_over_torque import springs_of_assembled
 
-SPRINGS = {
-    'bodies = "exact"': 'bodies = "springs"',
-    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
-}
-SKEW = '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\nhysteresis_factor = 0.01\n\n[lubrication]'
-BEARINGS = """[bearings]
-sun_torque = "0.001 N*m"
-loading_roller_torque = "0.0005 N*m"
-carrier_torque = "0.005 N*m"
-pin_friction_coefficient = 0.002
-pin_diameter = "4 mm"
-pin_length = "6 mm"
-
-[model]"""
 JOINTS = {
     "planetary": ("planetary", {}),
-    "cam": ("planetary", {**SPRINGS, "[load]\n": '[load]\ncam_force_per_torque = "60 N/Nm"\n'}),
+    "cam": ("planetary", {**SPRINGS, "[load]\n": CAM}),
     "skew": ("planetary", {**SPRINGS, "[lubrication]": SKEW}),
-    "pins": ("zou2025", {"[model]": BEARINGS}),
+    "pins": ("zou2025", {"[model]": f"{BEARINGS}\n[model]"}),
 }
 NO_SLIP = 1e6
 #: Programs of an assembled joint and of torques, and further numbers of theirs.

@@ -145,7 +145,7 @@ class Engines:
         self._found |= jax.jit(program)(numbers, slopes)
 
 
-def tests_of_engines(names: Iterable[Any]) -> tuple[Callable[..., None], Callable[..., None]]:
+def engine_tests(names: Iterable[Any]) -> tuple[Callable[..., None], Callable[..., None]]:
     """As :meth:`Engines.tests`, of formulas that a fixture ``engines`` makes, by their names."""
     every = pytest.mark.parametrize("name", list(names))
 

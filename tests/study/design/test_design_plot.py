@@ -13,23 +13,27 @@ xarray = pytest.importorskip("xarray")
 ARCMINUTE = np.pi / 180.0 / 60.0
 
 
-@pytest.fixture(scope="module")
-def preload_figure(case):
-    """Smallest preload between 100 and 1600 N that is at least 400 N: a case that is known without a search."""
+def smallest_preload(case, *limits):
+    """The design with the smallest preload between 100 and 1600 N that is at least 400 N, and within further limits."""
     problem = DesignProblem(
         case=case,
         joint_file="zou2025.toml",
         level="published",
         variables=(Variable("load.preload", 100.0, 1600.0, True),),
         objectives=(Objective("preload", 1.0),),
-        constraints=(Constraint("preload", False, 400.0, (0,)),),
+        constraints=(Constraint("preload", False, 400.0, (0,)), *limits),
         worst_case=WorstCase((), "none", 0, 0),
         starts=1,
         seed=0,
     )
-    result = SimpleNamespace(
+    return SimpleNamespace(
         problem=problem, point={"load.preload": 400.0}, objective_after=400.0, feasible=True
     )
+
+
+@pytest.fixture(scope="module")
+def preload_figure(case):
+    """Smallest preload between 100 and 1600 N that is at least 400 N: a case that is known without a search."""
     with (
         pytest.MonkeyPatch.context() as patch
     ):  # the chain has nothing to say here, and takes seconds to compile
@@ -38,7 +42,7 @@ def preload_figure(case):
             "derivatives_at",
             lambda values, changes, results, *, block: (None, {"preload": changes["load.preload"][None]}, {}),
         )
-        return design_figure(result)
+        return design_figure(smallest_preload(case))
 
 
 def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
@@ -87,31 +91,14 @@ def test_an_axis_of_one_decade_is_marked_at_more_than_one_place(preload_figure):
 
 def test_an_optimum_in_a_corner_of_the_limits_is_drawn_as_the_search_judged_it(case, monkeypatch):
     """One point alone meets both limits; beyond 800 N there is no joint, and nothing is drawn."""
-    problem = DesignProblem(
-        case=case,
-        joint_file="zou2025.toml",
-        level="published",
-        variables=(Variable("load.preload", 100.0, 1600.0, True),),
-        objectives=(Objective("preload", 1.0),),
-        constraints=(
-            Constraint("preload", False, 400.0, (0,)),
-            Constraint("preload", True, 400.0, (0,)),
-            Constraint("slip_ratio", True, 0.9, (0,)),
-        ),
-        worst_case=WorstCase((), "none", 0, 0),
-        starts=1,
-        seed=0,
-    )
-    result = SimpleNamespace(
-        problem=problem, point={"load.preload": 400.0}, objective_after=400.0, feasible=True
-    )
+    limits = Constraint("preload", True, 400.0, (0,)), Constraint("slip_ratio", True, 0.9, (0,))
 
     def known(values, changes, results, *, block):
         preload = changes["load.preload"][None]
         return None, {"preload": preload, "slip_ratio": preload / 800.0}, {}
 
     monkeypatch.setattr(design_evaluation, "derivatives_at", known)
-    above, below = design_figure(result).axes
+    above, below = design_figure(smallest_preload(case, *limits)).axes
     everywhere, allowed, design = above.get_lines()
     x, y = everywhere.get_data()
     np.testing.assert_array_equal(np.isfinite(y), x < 800.0)
