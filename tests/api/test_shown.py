@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 
 from asperity.api.shown import Shown, displayed, frame
 from asperity.errors import MissingExtraError
-from asperity.views.blocks import Paragraph, Table
+from asperity.views.blocks import Heading, Paragraph, Table
 
 TABLE = Table("Title", ("what", "how much"), [("a", "1"), ("longer", "12 <N>")])
 
@@ -29,6 +29,17 @@ def test_html_is_escaped():
     assert "<p>a &lt; b<br>next</p>" in found
     assert "<td>12 &lt;N&gt;</td>" in found
     assert found.count("<tr>") == 3
+
+
+def test_headings_of_a_notebook_have_no_numbers_and_no_places():
+    class Headed(Shown):
+        def blocks(self):
+            return [Heading("One"), Heading("Two")]
+
+    found = Headed()._repr_html_()
+    assert ">One<" in found
+    assert ">Two<" in found
+    assert "id=" not in found
 
 
 def test_a_figure_shows_itself_in_a_notebook():

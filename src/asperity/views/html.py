@@ -83,10 +83,21 @@ def blocks_html(blocks: Sequence[Block]) -> str:
     return "\n".join(parts)
 
 
+_NOTEBOOK_STYLE = (
+    ".asperity table { margin: 0 0 0.8em; border-collapse: collapse; } "
+    ".asperity :is(th, td) { text-align: right; vertical-align: top; padding: 0.15em 0.7em 0.15em 0; } "
+    ".asperity caption { text-align: left; font-weight: bold; white-space: nowrap; } "
+    ".asperity .w { text-align: left; } .asperity .strong { font-weight: bold; }"
+)
+
+
 def notebook_html(blocks: Sequence[Block]) -> str:
-    """Write blocks as HTML for a notebook, which aligns cells at the right by itself."""
-    style = "<style>.asperity .w { text-align: left; } .asperity .strong { font-weight: bold; }</style>"
-    return f'{style}<div class="asperity">{blocks_html(blocks)}</div>'
+    """Write blocks as HTML for a cell of a notebook, whose headings have neither numbers nor places to link to."""
+    parts = (
+        f"<h3>{_text(block.text)}</h3>" if isinstance(block, Heading) else _block(block, number, 0)
+        for number, block in enumerate(blocks)
+    )
+    return f'<style>{_NOTEBOOK_STYLE}</style><div class="asperity">{chr(10).join(parts)}</div>'
 
 
 def _block(block: Block, number: int, section: int) -> str:
