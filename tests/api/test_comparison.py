@@ -97,3 +97,10 @@ def test_a_joint_that_cannot_exist_is_named(zou_file, tmp_path):
     file.write_text(zou_file.read_text().replace("planets = 3", "planets = 30"))
     with pytest.raises(InputError, match=r"many\.toml: the rollers do not fit"):
         asperity.compare(zou_file, file)
+
+
+def test_what_one_joint_has_not_and_the_other_does_not_know_is_no_difference(zou_file):
+    """Contacts with names of their own, whose oil films neither file fixes."""
+    found = asperity.compare(zou_file.with_name("planetary.toml"), zou_file)
+    assert any(line.label == "Hertz pressure, pr" and line.other is None for line in found.results)
+    assert not any(line.label.startswith("film ratio") for line in found.results)

@@ -179,7 +179,7 @@ def compare(one: DescribedJoint | str | Path, other: DescribedJoint | str | Path
         require_joint(joint)
     files = [dict(_stated(joint)) for joint in joints]
     results = [dict(_singles(_solved(joint))) for joint in joints]
-    lines = _lines(*results)
+    lines = [line for line in _lines(*results) if not _absent(line)]
     differing = tuple(line for line in lines if not _alike(line.one, line.other))
     inputs = tuple(line for line in _lines(*files) if not _alike(line.one, line.other))
     return JointComparison(joints[0], joints[1], inputs, differing, len(lines) - len(differing))
@@ -234,12 +234,15 @@ def _lines(
 
 
 def _alike(one: NamedQuantity | str | None, other: NamedQuantity | str | None) -> bool:
-    if one is None or other is None:  # a number that is not known is as absent as one that is not there
-        return _shown(one) == _shown(other)
     if not (isinstance(one, NamedQuantity) and isinstance(other, NamedQuantity)):
         return one == other
     sizes = float(one.si), float(other.si)
     return all(map(math.isnan, sizes)) or math.isclose(*sizes, rel_tol=_SAME, abs_tol=1e-300)
+
+
+def _absent(line: Difference) -> bool:
+    """Whether one joint does not have a result, and the other does not know it."""
+    return (line.one is None or line.other is None) and _shown(line.one) == _shown(line.other)
 
 
 def _bound(side: NamedQuantity | str | None) -> str | None:
