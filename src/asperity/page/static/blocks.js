@@ -30,11 +30,14 @@ function tableBlock({ title, head, rows, words, verdicts, shares }, before, pane
   const bars = shares.length > 0;
   const signed = shares.some((share) => share < 0);
   const compared = before?.rows.length === rows.length ? before : null; // the same table of the baseline
-  const headings = [...head.map(lines), ...(compared ? [lines(`baseline\n${head[1].split("\n")[1] ?? ""}`)] : []), ...(bars ? [hidden("bar")] : [])];
+  const was = compared ? lines(`baseline\n${head[1].split("\n")[1] ?? ""}`) : null;
+  was?.classList.add("baseline");
+  const beside = (cells, cell) => (compared ? [...cells.slice(0, 2), cell, ...cells.slice(2)] : cells); // the number that it compares
+  const headings = [...beside(head.map(lines), was), ...(bars ? [hidden("bar")] : [])];
   const cells = rows.map((row, at) => {
     const last = row.length - 1;
     const shown = row.map((cell, place) => (verdicts && place === last ? verdict(cell) : cell));
-    return [...shown, ...(compared ? [compared.rows[at][1]] : []), ...(bars ? [bar(shares[at], row[last] === "FAIL" ? "bad" : verdicts ? "good" : "", signed)] : [])];
+    return [...beside(shown, compared?.rows[at][1]), ...(bars ? [bar(shares[at], row[last] === "FAIL" ? "bad" : verdicts ? "good" : "", signed)] : [])];
   });
   const made = table(title, headings, cells, new Set(words));
   return [...(title === panel ? [] : [element("h3", {}, title)]), element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${title || "Table"}, scrollable` }, made)];
