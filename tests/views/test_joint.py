@@ -241,6 +241,11 @@ def test_the_drive_in_degrees_grams_and_millimetres(paper_view):
     assert "interference to be made" not in cells(drive(without))
 
 
+def test_a_spring_that_presses_wheels_travels(view_of):
+    """1000 N on 50 N/mm."""
+    assert "preload 1000 N (spring travel 20 mm)" in load(view_of("wheel_pair")).text
+
+
 def test_losses_are_part_of_the_torque_at_the_input_in_rolling(planetary_view):
     """An oil whose drag the motor has to overcome: the power in over the speed."""
     shown = {name: cell for name, (cell,) in cells(drive(planetary_view)).items()}
