@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from asperity.results.margins import margins
-from asperity.views.blocks import Block, BlockDocument, Figures, Heading, Paragraph, block_documents
+from asperity.views.blocks import Block, BlockDocument, Figures, Heading, block_documents
 from asperity.views.branches import branches
 from asperity.views.joint import (
     assumptions,
@@ -16,7 +16,6 @@ from asperity.views.joint import (
     load,
     surfaces,
     verdict,
-    verdict_words,
 )
 from asperity.views.limits import margins as margins_shown
 from asperity.views.limits import warnings
@@ -67,7 +66,7 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
     document = view.document
     unequal = list(branches(document["branches"])) if "branches" in document else []
     panels: dict[str, list[Block]] = {
-        "verdict": [Paragraph(verdict_words(document["verdict"]), strong=True)],
+        "verdict": verdict(view)[:1],
         "cards": [Figures(key_figures(view))],
         "levels": list(stiffness(view)),
         "budget": list(budget(document)),
