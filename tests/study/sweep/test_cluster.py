@@ -182,7 +182,7 @@ def test_an_interruption_kills_the_workers_at_once_and_leaves_no_file(tmp_path, 
 
 
 @pytest.mark.slow
-def test_an_interruption_while_workers_start_does_not_wait_for_them(tmp_path, monkeypatch):
+def test_an_interruption_while_workers_start_does_not_wait_for_them(tmp_path, monkeypatch, request):
     """The signal comes as the first worker has been started: it never gets as far as to answer."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     start, started = BaseProcess.start, []
@@ -193,6 +193,8 @@ def test_an_interruption_while_workers_start_does_not_wait_for_them(tmp_path, mo
         if len(started) == 1:  # Dask may start another one in its place
             os.kill(os.getpid(), signal.SIGINT)
 
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # tests in the background ignore it
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
     monkeypatch.setattr(BaseProcess, "start", strike)
     with pytest.raises(KeyboardInterrupt), _client(None, 1):
         raise AssertionError("the workers were waited for")
