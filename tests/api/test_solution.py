@@ -166,7 +166,7 @@ def test_a_planetary_by_its_own_names(zou_file):
         solution["wedge_angle"]
     text = str(solution)
     assert "\nEfficiency  " in text
-    assert "\n pr  " in text
+    assert "\npr  " in text
 
 
 def test_text_of_a_joint_beyond_what_is_known_shows_no_nan(joint):
