@@ -35,11 +35,8 @@ _SPRINGS = {
 }
 
 
-def stiffness(view: SolvedView, *, in_full: bool = True) -> Iterator[Block]:
-    """Stiffness on every level, with what bounds it, beside the drift of a joint that turns.
-
-    In brief the contact laws and the interval of the surfaces are a sentence.
-    """
+def stiffness(view: SolvedView) -> Iterator[Block]:
+    """Stiffness on every level, with what bounds it, beside the drift of a joint that turns."""
     document = view.document
     keys = ("output_Nm_per_arcmin", "output_Nm_per_rad", "input_Nm_per_rad")
     yield Table(
@@ -54,11 +51,8 @@ def stiffness(view: SolvedView, *, in_full: bool = True) -> Iterator[Block]:
     if said := law_range_words(document):
         yield Paragraph(sentence(said))
     yield _drift(document)
-    if in_full:
-        yield from _laws(document)
-        yield from _interval(document)
-    elif document.get("stiffness_interval") is not None:
-        yield _interval_in_brief(document)
+    yield from _laws(document)
+    yield from _interval(document)
 
 
 def _levels(document: Document) -> list[tuple[str, Document]]:
@@ -158,15 +152,6 @@ def _interval(document: Document) -> Iterator[Block]:
     if rows := _interval_rows(interval):
         yield Table("Asperities of the contacts in this interval", _INTERVAL_HEADS, rows)
     yield Paragraph(interval["words"])
-
-
-def _interval_in_brief(document: Document) -> Paragraph:
-    """From what to what the assembled stiffness reaches over what is open of the surfaces."""
-    interval = document["stiffness_interval"]
-    ends = " to ".join(
-        quantity(interval["assembly"][f"{end}_Nm_per_rad"], "N*m/arcmin") for end in ("low", "high")
-    )
-    return Paragraph(f"{interval['title']}: assembled {ends}.")
 
 
 _INTERVAL_HEADS = (
