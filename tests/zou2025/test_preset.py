@@ -151,6 +151,6 @@ def test_the_published_model_is_a_level_of_the_example_files_joint() -> None:
     np.testing.assert_allclose(
         published.contact_torsional_stiffness, chain.contact_torsional_stiffness, rtol=1e-9
     )
-    for end in ("sun", "output"):
+    for end in ("input", "output"):
         one, other = (float(getattr(level, end)) for level in (published.stiffness, chain.published))
         assert one == pytest.approx(other, rel=1e-9)
