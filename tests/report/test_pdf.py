@@ -95,7 +95,12 @@ def test_short_tables_stay_on_one_page_and_long_ones_may_break():
 
 def test_long_words_share_what_numbers_and_short_words_leave():
     """Columns of equal shares left a few letters for the place, under the words beside it."""
-    row = ("a requirement with a long name", "function", "planet to planet", "1.5")
+    row = (
+        "a requirement with a very long name",
+        "Stiffness at the output",
+        "planet to planet, at its end and beyond",
+        "1",
+    )
     found = _table(Table("limits", ("requirement", "concerns", "where", "actual"), [row], words=(0, 1, 2)))
     assert f"columns: ({len(row[0])}fr, auto, {len(row[2])}fr, auto,)" in found
     short = _table(Table("limits", ("name", "where", "actual"), [("one", "sp", "1.5")], words=(0, 1)))

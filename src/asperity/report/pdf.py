@@ -32,7 +32,7 @@ from asperity.writing import if_abandoned
 
 _LONGEST_LINE = 128  # letters of a listing
 _COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
-_SHORT = 12  # letters of words that a column does not break
+_SHORT = 30  # letters of words that a column does not break
 _LONGEST_UNBROKEN = 25  # rows of a table that is kept on one page
 _HEAD = """\
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")

@@ -23,6 +23,8 @@ NUMBERS = {
     "decay_length": 1e-7,
 }
 every_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS.keys())
+#: Laws whose interval holds their error, by the same surface with asperities that yield more.
+SOFTENED = [law for law in LAWS.values() if {"rms_height", "decay_length"} & set(law.needs)]
 
 
 def on_surface(law: type[ContactLaw]) -> ContactLaw:
@@ -91,11 +93,9 @@ def test_spots_are_known_where_the_law_says_so(law):
         assert np.isfinite(getattr(found, name)) == law.has_spots
 
 
-@every_law
+@pytest.mark.parametrize("law", SOFTENED, ids=lambda law: law.name)
 def test_a_softer_surface_yields_as_many_times_as_much(law):
     """Of the layer, which has no part in the widening of the contact."""
-    if not {"rms_height", "decay_length"} & set(law.needs):
-        pytest.skip("its interval does not hold its error")
     surface = on_surface(law)
     ratio = pressed(surface, 500.0).layer_stiffness / pressed(surface.softer(2.5), 500.0).layer_stiffness
     assert float(ratio) == pytest.approx(2.5, rel=1e-12)
