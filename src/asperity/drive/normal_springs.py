@@ -59,7 +59,7 @@ def crowned_springs(*, lines: CrownedLines, rest_force: Array) -> CrownedSprings
 
 
 class NormalSprings(Module):
-    r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
+    r"""Compression of the contacts around their preload, exact for every logarithmic line-contact law.
 
     .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right] + \Delta\delta(N)
 

@@ -421,19 +421,31 @@ class Case(WholeFile):
         for place, (keys, why) in _AT_PLACES.items():
             if place not in self.roller_places():
                 yield from self._useless(keys, _NO_PLANETS if place == "free" and self.in_frame() else why)
-        if self.in_frame():
-            yield from self._useless(_OF_RINGS, "this drive has no ring; leave it out")
-            yield from self._useless(_OF_SECTORS, "this drive has no sectors that differ; leave it out")
+        for keys, why in self._of_others():
+            yield from self._useless(keys, why)
         if self.bearings is not None and self.bearings.pin_support and self.bearings.pin_length is None:
             yield (
                 f"bearings.pin_support = '{self.bearings.pin_support}': without pin_length the bending of the pins is "
                 "not computed; give pin_length, or leave pin_support out"
             )
 
+    def _of_others(self) -> Iterator[tuple[tuple[str, ...], str]]:
+        """Keys that need a ring or sectors, which this drive does not have, and why."""
+        kind = self.drive_type
+        if kind.parts and not any(contact.internal for contact in kind.contacts):
+            yield _OF_RINGS, "this drive has no ring; leave it out"
+        if kind.parts and kind.sectors is None:
+            yield _OF_SECTORS, "this drive has no sectors that differ; leave it out"
+
+    def keys_without_effect(self) -> set[str]:
+        """Keys that a file of this drive cannot state, because nothing of it needs them."""
+        absent = {place for place in _AT_PLACES if place not in self.roller_places()}
+        keys = {key for place in absent for key in _AT_PLACES[place][0]}
+        return keys.union(*(of for of, _ in self._of_others()))
+
     def in_frame(self) -> bool:
-        """Whether bearings in the frame hold all bodies of the drive."""
-        parts = self.drive_type.parts
-        return bool(parts) and all(part.place == "held" for part in parts)
+        """Whether bearings in the frame hold the bodies of the drive."""
+        return self.drive_type.in_frame
 
     def _useless(self, keys: tuple[str, ...], why: str) -> Iterator[str]:
         """A message about each of these keys that the file states."""

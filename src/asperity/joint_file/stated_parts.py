@@ -166,6 +166,8 @@ def made_interference(case: AnyCase, result: JointResult | None = None) -> MadeI
     if load.interference is not None:
         return MadeInterference(load.interference.value)
     values, added = si_values(case), 0.0
+    if not case.drive_type.approach(values["drive"]):
+        return MadeInterference(None, "a force is stated, which no size makes")
     if case.temperature is not None:
         unknown = without_expansion(case.bodies, case.materials)
         if unknown:

@@ -12,7 +12,7 @@ from asperity.drive.state.loads import member_loads
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states
-from asperity.drive.types.wheel_pair import wheel_pair_drive
+from asperity.drive.types.wheel_pair import WHEEL_PAIR
 
 #: Radii [m], Young's modulus [Pa], friction coefficient, length [m], preload [N], output torque [N·m].
 R_1, R_2, E, NU, MU, B, N, TORQUE = 20e-3, 45e-3, 206e9, 0.3, 0.1, 8e-3, 900.0, 2.7
@@ -21,7 +21,7 @@ FORCE = TORQUE / R_2
 
 @pytest.fixture(scope="module")
 def drive():
-    return wheel_pair_drive(driver_radius=R_1, driven_radius=R_2)
+    return WHEEL_PAIR.drive({"driver_radius": R_1, "driven_radius": R_2})
 
 
 def states_of(drive, torque, *, preload=N):

@@ -143,6 +143,11 @@ def _no_closure(tables: Tables) -> Closure:
     return Closure()
 
 
+def _interference(sizes: Tables) -> str:
+    """What makes the preload of most drives."""
+    return "interference"
+
+
 @dataclass(frozen=True, kw_only=True)
 class DriveType:
     """A type of drive.
@@ -179,7 +184,10 @@ class DriveType:
         Raises an ``InputError`` for a file that no such drive can have; of the texts that its sections [drive] and
         [load] state, by the names of the sections and of their keys.
     pressing_stiffness : callable or None, optional
-        From the sizes of [drive] to the stiffness of the spring that presses its contacts [N/m], None where none does.
+        From the sizes of [drive] to the stiffness of the spring that presses its one contact [N/m], None where none
+        does.
+    approach : callable, optional
+        From the sizes of [drive] to what the length is called that makes the preload; empty where no length does.
     branches : Branches or None, optional
         The sections [[branch]]; None for a drive whose sectors are alike.
     bearings : OwnBearings or None, optional
@@ -215,6 +223,7 @@ class DriveType:
     closure: Callable[[Tables], Closure] = _no_closure
     refuse: Callable[[Mapping[str, Mapping[str, str]]], None] | None = None
     pressing_stiffness: Callable[[Tables], Real | None] | None = None
+    approach: Callable[[Tables], str] = _interference
     branches: Branches | None = None
     bearings: OwnBearings | None = None
     model: tuple[Choice, ...] = ()
@@ -255,7 +264,16 @@ class DriveType:
             )
         if not any(isinstance(entry, ContactLength) for entry in self.sizes):
             wrong.append("its sizes have no ContactLength")
+        if self.pressing_stiffness is not None and (len(self.contacts) != 1 or self.sectors is not None):
+            wrong.append(
+                "pressing_stiffness needs a drive of one contact, which bears the whole force of the spring"
+            )
         return wrong
+
+    @property
+    def in_frame(self) -> bool:
+        """Whether bearings in the frame hold bodies of it."""
+        return any(part.place == "held" for part in self.parts)
 
     @property
     def is_listed(self) -> bool:

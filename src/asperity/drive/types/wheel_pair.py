@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.drive_type import Assumed, DriveType, Pairing, Part, Places, Tables
 from asperity.drive.layout.sizes import SPRING, Choice, ContactLength, Size, body_length, bore, crown, radius
 from asperity.engine.arrays import xp
@@ -31,6 +31,11 @@ def _refuse(stated: Mapping[str, Mapping[str, str]]) -> None:
             f"drive.spring_stiffness = '{drive['spring_stiffness']}': with {by} no spring presses the wheels; leave it "
             'out, or write pressed_by = "spring"'
         )
+    if drive["pressed_by"] == "fixed_centres" and "cam_force_per_torque" in load:
+        raise InputError(
+            f"load.cam_force_per_torque = '{load['cam_force_per_torque']}': with {by} a cam cannot move the wheels "
+            'together; leave it out, or write pressed_by = "force"'
+        )
     if drive["pressed_by"] == "spring" and "cam_force_per_torque" in load:
         raise InputError(
             f"load.cam_force_per_torque = '{load['cam_force_per_torque']}': with {by} it is not known whether the cam "
@@ -42,6 +47,11 @@ def _refuse(stated: Mapping[str, Mapping[str, str]]) -> None:
             f"load.interference = '{load['interference']}': with {by} no size makes the force of the contact; give it "
             'as load.preload, e.g. "200 N", or write pressed_by = "fixed_centres" or "spring"'
         )
+
+
+def _approach(sizes: Tables) -> str:
+    """What makes the preload: travel of the spring, with the approach of the contact, interference, or no length."""
+    return {"spring": "spring travel", "fixed_centres": "interference"}.get(str(sizes["pressed_by"]), "")
 
 
 def _spring(sizes: Tables) -> Real | None:
@@ -64,9 +74,9 @@ WHEEL_PAIR = DriveType(
         ContactLength(),
         Choice(
             "pressed_by",
-            "What presses the wheels together, whatever torque they pass: a force, load.preload, that no size and no "
-            "temperature changes; a spring on the bearing of one of them, which load.preload or, from first touch, "
-            "load.interference compresses; or fixed centres, whose distance is shorter than the sum of both radii by "
+            "What presses the wheels together: a force, load.preload, that no size and no temperature changes; a "
+            "spring on the bearing of one of them, whose other end load.preload or load.interference has moved from "
+            "first touch on; or fixed centres, whose distance is shorter than the sum of both radii by "
             "load.interference, or by as much as makes load.preload.",
             ("force", "spring", "fixed_centres"),
             required=True,
@@ -98,31 +108,17 @@ WHEEL_PAIR = DriveType(
     layout=_layout,
     refuse=_refuse,
     pressing_stiffness=_spring,
+    approach=_approach,
     assumed=(
         Assumed(
             "both wheels turn in bearings that do not give way across the line of centres; the force of a wheel is "
             "taken as that of one bearing"
         ),
-        Assumed("every track is as long as its longest contact line"),
+        Assumed("the track of the driving wheel is as long as its contact line", unless="driver_length"),
+        Assumed("the track of the driven wheel is as long as its contact line", unless="driven_length"),
+        Assumed(
+            "the bores of hollow wheels are free: a shaft in one makes the joint stiffer than computed, and the "
+            "interference of the same preload smaller"
+        ),
     ),
 )
-
-
-def wheel_pair_drive(*, driver_radius: Real, driven_radius: Real) -> Drive:
-    r"""Two wheels that touch, in bearings of the frame.
-
-    Parameters
-    ----------
-    driver_radius, driven_radius : Real
-        Radii R_1 and R_2 [m].
-
-    Returns
-    -------
-    Drive
-        Contact ``dd``; driver in, driven wheel out, the frame grounded; ratio :math:`-R_2/R_1`.
-
-    References
-    ----------
-    Rolling without slip.
-    """
-    return WHEEL_PAIR.drive({"driver_radius": driver_radius, "driven_radius": driven_radius})

@@ -76,6 +76,7 @@ def springs(file: Described) -> Iterator[str]:
             "" if file.case.in_frame() else ", rollers without a pin float"
         )
         return
-    absent = [name for name, value in compliance if value is None]
+    useless = file.case.keys_without_effect()
+    absent = [name for name, value in compliance if value is None and f"compliance.{name}" not in useless]
     if absent:
         yield f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say"

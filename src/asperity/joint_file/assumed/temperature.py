@@ -23,7 +23,8 @@ def temperature(file: Described) -> Iterator[str]:
             "load.interference if the sizes make the preload"
         )
     elif case.temperature.housing_expansion is None and case.in_frame():
-        yield "no temperature.housing_expansion: the frame expands as the driving wheel does"
+        first = case.drive_type.parts[0].name.replace("_", " ")
+        yield f"no temperature.housing_expansion: the frame expands as the {first} does"
     elif case.temperature.housing_expansion is None and case.housing is None and not case.without_housing():
         yield "no temperature.housing_expansion: the housing expands as the ring does"
 
