@@ -150,7 +150,7 @@ class JointSolution(Shown):
         """What ``asperity joint`` prints, without the assumptions."""
         return list(joint_screen(self.view, self._source))
 
-    @property
+    @functools.cached_property
     def view(self) -> SolvedView:
         """The solved joint with its document, from which every table is made."""
         made = made_interference(self._case, self._solved.result).size

@@ -12,7 +12,10 @@ from asperity.cli.run_by_name import run_by_name
 @click.argument("file", type=click.Path())
 @json_option()
 @click.option(
-    "--all", "in_full", is_flag=True, help="Print every table, and everything that is assumed, in full."
+    "--all",
+    "in_full",
+    is_flag=True,
+    help="Print the shares of the compliance, the springs of the contacts and the drive, too, and all that is assumed.",
 )
 @surface_option
 @plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")

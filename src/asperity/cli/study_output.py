@@ -15,8 +15,9 @@ from asperity.joint_file.si_tables import key_at
 from asperity.results import RESULTS, row_name
 from asperity.study.datasets import rows_of
 from asperity.study.parameters import long_name
-from asperity.units import format_quantity, from_si
+from asperity.units import from_si
 from asperity.views.blocks import Table
+from asperity.views.numbers import number, unit_words
 
 if TYPE_CHECKING:
     import xarray
@@ -67,8 +68,8 @@ def status_counts(dataset: xarray.Dataset) -> dict[int, int]:
     counts: dict[int, int] = {}
     for part in parts:
         codes, numbers = np.unique(np.asarray(part), return_counts=True)
-        for code, number in zip(codes.tolist(), numbers.tolist(), strict=True):
-            counts[code] = counts.get(code, 0) + number
+        for code, count in zip(codes.tolist(), numbers.tolist(), strict=True):
+            counts[code] = counts.get(code, 0) + count
     return counts
 
 
@@ -101,7 +102,7 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
     ][:_MOST_COLUMNS]
     coordinates = {
         f"{long_name(path)}{_unit(units[path])}": [
-            f"{from_si(float(dataset[path][point[path]]), units[path]):.6g}" for point in at
+            number(from_si(float(dataset[path][point[path]]), units[path]), digits=6) for point in at
         ]
         for path in axes
     }
@@ -145,14 +146,13 @@ def show_bounds(said: dict[str, str]) -> None:
 
 
 def _unit(unit: str) -> str:
-    return "" if unit == "1" else f" [{unit.replace('*', '·')}]"
+    """A unit behind the head of a column."""
+    return "" if unit == "1" else f" [{unit_words(unit)}]"
 
 
 def _cell(one: xarray.DataArray, result: Result, unit: str) -> str:
     """A value in the unit of the column; a category by its name."""
     value = float(one)
-    if np.isnan(value):
-        return "-"
-    if result.categories:
+    if result.categories and not np.isnan(value):
         return str(one.attrs["categories"]).split(" ")[int(value)]
-    return format_quantity(from_si(value, unit), "1", 5)
+    return number(from_si(value, unit), digits=5)

@@ -115,14 +115,6 @@ def capacity_document(
     return document
 
 
-def may_carry_more(both: Document, torque: float | None) -> bool:
-    """Whether a capacity in rolling [N·m] is the lower bound of that standing, at which only what is computed ends."""
-    bounds = [
-        capacity["output_torque_Nm"] for capacity in (both, both["reverse"]) if capacity.get("is_lower_bound")
-    ]
-    return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
-
-
 def first_slip_words(both: Document) -> list[str]:
     """Where a contact slides while others carry the rest; none where the first slip is the capacity."""
     early = [

@@ -235,4 +235,6 @@ class Job(_Described):
 class JobWithResult(Job):
     """A job, and what came out."""
 
-    result: Document | None = Field(description="As the command of the same name prints it.")
+    result: Document | None = Field(
+        description="As the command of the same name prints it in JSON, with the blocks to be shown in 'views'."
+    )

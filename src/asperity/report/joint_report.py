@@ -34,9 +34,9 @@ from asperity.rolling.onset import RollingOnset
 from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
 from asperity.types import Document
-from asperity.views.blocks import Block, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.blocks import Block, Figures, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.views.branches import branches
-from asperity.views.joint import assumptions, contacts, drive, load, surfaces, verdict
+from asperity.views.joint import assumptions, contacts, drive, key_figures, load, surfaces, verdict
 from asperity.views.limits import margins as margins_shown
 from asperity.views.limits import warnings
 from asperity.views.loads import loads, rims
@@ -93,7 +93,8 @@ def joint_report(source: ReportSource) -> Report:
         *_title_block(source),
         Heading("Summary"),
         load(view),
-        *verdict(view),
+        verdict(document),
+        Figures(key_figures(view)),
         Heading("Inputs"),
         inputs_table(source.case),
         choices_table(source.case),

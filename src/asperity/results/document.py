@@ -35,7 +35,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import torque_capacity_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 from asperity.types import Document
-from asperity.units import format_quantity
+from asperity.units import format_apart, format_quantity
 
 #: Below this share of the compliance a spring is only the rounding of the others.
 NO_SHARE = 1e-12
@@ -74,14 +74,11 @@ def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]
     for entry in entries:
         value, unit = entry["value"], entry.pop("display_unit")
         entry["infinite"] = math.isinf(value)
-        entry["shown"] = (
-            "infinite"
-            if entry["infinite"]
-            else "not known"
-            if math.isnan(value)
-            else format_quantity(value, unit)
-        )
-        entry["limit_shown"] = format_quantity(entry["limit"], unit)
+        if math.isfinite(value):
+            entry["shown"], entry["limit_shown"] = format_apart(value, entry["limit"], unit)
+        else:
+            entry["shown"] = "infinite" if entry["infinite"] else "not known"
+            entry["limit_shown"] = format_quantity(entry["limit"], unit)
     return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
 
 
@@ -125,17 +122,12 @@ def stiffness_unknown_because(result: JointResult) -> str | None:
     )
 
 
-def plain_document(document: Document) -> Document:
-    """A document of Python numbers, with None for numbers that are not finite."""
-    return _plain(document)
-
-
-def _plain(node: Any) -> Any:
-    """Python numbers instead of arrays, None instead of what JSON cannot say."""
+def plain_document(node: Any) -> Any:
+    """A document of Python numbers instead of arrays, None for numbers that are not finite, which JSON cannot say."""
     if isinstance(node, dict):
-        return {name: _plain(value) for name, value in node.items()}
+        return {name: plain_document(value) for name, value in node.items()}
     if isinstance(node, list):
-        return [_plain(value) for value in node]
+        return [plain_document(value) for value in node]
     if isinstance(node, str | bool | None):
         return node
     number = float(node)
@@ -217,7 +209,10 @@ def _geometry(solved: SolvedJoint) -> Document:
             {"name": name, "gap_m": gap}
             for name, gap in zip(solved.row_names("clearance"), solved.clearances, strict=True)
         ],
-        "speeds_over_input": dict(zip(drive.members, np.asarray(solved.result.speeds), strict=True)),
+        "speeds_over_input": {
+            drive.ground if name == drive.grounded else name: speed
+            for name, speed in zip(drive.members, np.asarray(solved.result.speeds), strict=True)
+        },
     }
 
 

@@ -35,7 +35,12 @@ from asperity.units import format_quantity, from_si
 
 _DIRECTIONS = (
     "Radial: away from the drive's axis. Tangential and torques: positive in the sense of rotation of the input. "
-    "Forces act on the named part: on each pin and roller, and on members on the axis from all sectors together."
+    "Forces act on the named part: on each pin and roller, and on members on the axis from all sectors together. "
+    "Speeds are without sign."
+)
+_SENSES = (
+    "Torques: positive in the sense of rotation of the input. Forces act on the named part. "
+    "Speeds are without sign."
 )
 _EQUAL = (
     "All sectors are equal: the roller forces on the carrier and on each body on the axis balance and leave a torque, "
@@ -97,7 +102,8 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
         cases.append(case_entry(name, float(at_load.output_torque), float(at_load.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
     sectors = _EQUAL if joint.unlike is None else UNEQUAL
-    notes = [_DIRECTIONS, _FRAME if drive.layout.in_frame else sectors, _STATES]
+    notes = [_SENSES, _FRAME] if drive.layout.in_frame else [_DIRECTIONS, sectors]
+    notes.append(_STATES)
     if any(shape.kind == "ring" for shape in joint.shapes):
         notes.append(_MOUNTING)
     if len(drive.pinned) < len(drive.floating):
@@ -167,7 +173,7 @@ def _rows(
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         if drive.layout.in_frame:
             if name == CARRIER:
-                yield "frame", role, "torque of the bearings' forces", "N*m", moment
+                yield drive.ground, role, "torque of the bearings' forces", "N*m", moment
                 continue
             part = (part[0], f"in its bearings, {role}")
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment

@@ -230,7 +230,14 @@ def verdict_document(
         "; ".join(margin.words for margin in doubtful),
         missing + _fatigue_checks(bodies, materials),
     )
-    used = [m for m in judged if m.severity in _JUDGED and m.passes and math.isfinite(m.utilisation)]
+    used = [
+        m
+        for m in judged
+        if m.severity in _JUDGED
+        and m.passes
+        and math.isfinite(m.utilisation)
+        and m.result.group != "residuals"  # which say that the equations are solved, not how near a limit is
+    ]
     nearest = max(used, key=_closeness, default=None)
     return {
         "title": title,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from asperity.joint.torque_limits import capacity_document
 from asperity.results.places import in_order
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import losses, no_life_because, unknown_because
@@ -14,7 +15,12 @@ from asperity.types import Document
 def rolling_document(solved: SolvedJoint) -> Document:
     """Reasons, torques, sums and duty of the joint that turns; creep, drift, losses and lives wait for their rows."""
     joint, result, solution = solved.joint, solved.result, solved.solution
-    rolling, forward = result.rolling, float(joint.output_torque) >= 0.0
+    rolling, names = result.rolling, result.contact_names
+    both = {
+        **capacity_document(solution.rolling_capacity, contacts=names),
+        "reverse": capacity_document(solution.reverse_rolling_capacity, contacts=names),
+    }
+    forward = float(joint.output_torque) >= 0.0
     capacity = solution.rolling_capacity if forward else solution.reverse_rolling_capacity
     return {
         "unknown_because": unknown_because(joint, result),
@@ -48,6 +54,7 @@ def rolling_document(solved: SolvedJoint) -> Document:
         "contacts": {name: _contact(solved, k) for k, name in enumerate(result.contact_names)},
         **in_order("residual"),
         "torque_capacity_Nm": capacity.output_torque,
+        "torque_capacity": both,
     }
 
 

@@ -103,7 +103,7 @@ ROWS = (
         "layer_creepage_factor",
         "creepage with asperities over that of smooth bodies",
         value="result.rolling.layer_creepage_factor",
-        column=Column("rolling", "asperities", unit_shown="times"),
+        column=Column("rolling", "creepage over smooth", unit_shown="times"),
     ),
     _per_contact(
         "rough_half_width",
@@ -120,7 +120,7 @@ ROWS = (
         "MPa",
         "result.rolling.hertz_pressure",
         note="of Hertz under the rolling forces; shakedown and life are judged by it",
-        column=Column("rolling", "pressure"),
+        column=Column("rolling", "Hertz pressure"),
         place="rolling.contacts.*.hertz_pressure_Pa",
     ),
     _per_contact(
@@ -130,7 +130,7 @@ ROWS = (
         "MPa",
         "result.rolling.rough_peak_pressure",
         note="nominal; life and shakedown take the higher one of smooth bodies, as the standards do",
-        column=Column("rolling", "rough"),
+        column=Column("rolling", "rough pressure"),
     ),
     _contact_ratio(
         "crown_creepage_factor",
@@ -209,7 +209,7 @@ ROWS = (
         "shakedown_ratio",
         "Hertz pressure over shakedown limit",
         value="result.rolling.shakedown_ratio",
-        column=Column("rolling", "over shakedown"),
+        column=Column("rolling", "over shakedown limit"),
         limit=Limit(
             "damage",
             "plastic flow, if any, stops after the first turns",

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypedDict
 
+from asperity.views.numbers import INFINITE, NONE
+
 
 @dataclass(frozen=True)
 class Heading:
@@ -38,19 +40,20 @@ class Bullets:
 class Figure:
     """One number by which a joint is judged.
 
-    Its name, the number as text, its unit, a few words on it, and the number itself, None where there is none.
+    Its name, the number as text, its unit, a few words on it, and the number itself in SI units, None where there is
+    none.
     """
 
     name: str
     shown: str
     unit: str
     detail: str
-    value: float | None
+    si: float | None
 
     @property
     def text(self) -> str:
         """The number with its unit."""
-        return self.shown if self.value is None else f"{self.shown} {self.unit}".strip()
+        return self.shown if self.shown in (NONE, INFINITE) else f"{self.shown} {self.unit}".strip()
 
 
 @dataclass(frozen=True)

@@ -116,7 +116,7 @@ def _block(block: Block, number: int, section: int) -> str:
         case Table():
             return _table(block)
         case Warnings(items):
-            return f"<ul>{''.join(f'<li>{warned_html(item)}</li>' for item in items)}</ul>"
+            return f"<ul>{''.join(f'<li>{_warned(item)}</li>' for item in items)}</ul>"
         case Picture(title, svg, _):
             caption = _text(title)
             picture = f'<div role="img" aria-label="{caption}">{_inline(svg, number)}</div>'
@@ -125,7 +125,7 @@ def _block(block: Block, number: int, section: int) -> str:
             return f"<pre>\n{html.escape(text)}</pre>"  # HTML drops the line break that follows <pre>
 
 
-def warned_html(item: Warned) -> str:
+def _warned(item: Warned) -> str:
     """A crossed limit: what it is in bold, what it means, and what to do."""
     meanings = "; ".join(map(_text, item.meanings))
     remedy = f" What to do: {_text(item.remedy)}." if item.remedy else ""

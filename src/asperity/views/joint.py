@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 from asperity.joint.pin_bound import bounded
 from asperity.joint.temperature_limits import limit_words
-from asperity.joint.torque_limits import first_slip_words, may_carry_more, standing_words
+from asperity.joint.torque_limits import first_slip_words, standing_words
 from asperity.joint_file.part_names import drive_type_of
 from asperity.types import Document
-from asperity.views.blocks import Block, Bullets, Figure, Figures, Heading, Paragraph, Table
+from asperity.views.blocks import Block, Bullets, Figure, Heading, Paragraph, Table
 from asperity.views.numbers import number, number_in, percent, quantity, unit_words, words
 from asperity.views.solved_view import SolvedView
 
@@ -36,7 +35,8 @@ def load(view: SolvedView) -> Paragraph:
     size = "" if sectors is None else f"{sectors.words_of(number(document['geometry']['sectors']))}, "
     parts = [
         f"{size}{input_member(document)} at {quantity(document['input_speed_rad_per_s'], 'rpm')}",
-        f"preload {quantity(preload['force_N'], 'N')} ({_approach(document)} {_short(preload['interference_m'])})",
+        f"preload {quantity(preload['force_N'], 'N')}"
+        + (f" ({approach} {_short(preload['interference_m'])})" if (approach := _approach(document)) else ""),
         f"output torque {quantity(document['input']['load']['output_torque'], 'N*m')}",
     ]
     return Paragraph(
@@ -45,8 +45,8 @@ def load(view: SolvedView) -> Paragraph:
 
 
 def _approach(document: Document) -> str:
-    """What the interference is: where a spring presses the bodies, they have none, and the spring travels."""
-    return "spring travel" if document["input"]["drive"].get("pressed_by") == "spring" else "interference"
+    """What the length is called that makes the preload; empty where none does."""
+    return drive_type_of(document["input"]).approach(document["input"]["drive"])
 
 
 def _short(size: float | None) -> str:
@@ -62,7 +62,7 @@ def _temperatures(preload: Document) -> list[str]:
     return [
         f"at {quantity(assembled['working_temperature_degC'], 'degC')}, assembled at "
         f"{quantity(assembled['temperature_degC'], 'degC')} with {quantity(assembled['force_N'], 'N')} "
-        f"({quantity(assembled['interference_m'], 'um')})",
+        f"({_short(assembled['interference_m'])})",
         *limits,
     ]
 
@@ -79,11 +79,11 @@ def _loading_cam(preload: Document) -> list[str]:
     ]
 
 
-def verdict(view: SolvedView) -> list[Block]:
-    """Whether the joint works and what limits it, and the numbers that are asked for first."""
-    said = view.document["verdict"]
+def verdict(document: Document) -> Paragraph:
+    """Whether the joint works, and what limits it."""
+    said = document["verdict"]
     passed = None if None in (said["works"], said["holds"]) else said["works"] and said["holds"]
-    return [Paragraph(verdict_words(said), strong=True, passed=passed), Figures(key_figures(view))]
+    return Paragraph(verdict_words(said), strong=True, passed=passed)
 
 
 def key_figures(view: SolvedView) -> list[Figure]:
@@ -123,7 +123,7 @@ def key_figures(view: SolvedView) -> list[Figure]:
             "h",
             rolling["no_life_because"]
             or (why_not if rolling["life_output_turns"] is None else ", ".join(lives)),
-            document["life_hours"],
+            None if document["life_hours"] is None else 3600.0 * document["life_hours"],
         ),
         Figure("Mass", number(document["mass_kg"]), "kg", "of the rolling parts", document["mass_kg"]),
         Figure(
@@ -158,8 +158,8 @@ def _stiffness_figure(document: Document) -> Figure:
 def _capacity_figure(document: Document) -> Figure:
     """The torque capacity in the direction of the torque, what limits it, and where the joint that stands slips."""
     capacity, standing = (
-        in_its_direction(document, "torque_capacity"),
-        in_its_direction(document, "standing_torque_capacity"),
+        in_its_direction(document, document["torque_capacity"]),
+        in_its_direction(document, document["standing_torque_capacity"]),
     )
     torque = capacity["output_torque_Nm"]
     same = torque is not None and torque == standing["output_torque_Nm"]
@@ -168,9 +168,8 @@ def _capacity_figure(document: Document) -> Figure:
     return Figure("Torque capacity", number(torque), "N·m", "; ".join(filter(None, parts)), torque)
 
 
-def in_its_direction(document: Document, name: str) -> Document:
-    """A capacity of a document, in the direction of its output torque."""
-    both: Document = document[name]
+def in_its_direction(document: Document, both: Document) -> Document:
+    """The one of both capacities of a document that is in the direction of its output torque."""
     reverse: Document = both["reverse"]
     return reverse if document["standing"]["forces"]["output_torque_Nm"] < 0.0 else both
 
@@ -202,17 +201,15 @@ def drive(view: SolvedView) -> Table:
         ("torque capacity", capacity_text(document["torque_capacity"])),
         ("torque capacity, standing", capacity_text(document["standing_torque_capacity"])),
         *(("first slip, standing", text) for text in first_slip_words(document["standing_torque_capacity"])),
-        ("torque capacity, rolling", _rolling_capacity(document)),
+        ("torque capacity, rolling", capacity_text(document["rolling"]["torque_capacity"])),
         *_pins(forces),
         *_strength(document),
         *((f"mass, {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),
         *_clearance(document["geometry"]),
     ]
     if view.made_interference is not None:
-        has_rings = any(shape.kind == "ring" for shape in view.solved.joint.shapes)
-        approach = "spring travel" if _approach(document) == "spring travel" else "approach of the axes"
-        made = "interference to be made" if has_rings else f"{approach} from first touch"
-        rows.append((made, _short(view.made_interference)))
+        cold = ", at the assembly temperature" if document["input"].get("temperature") else ""
+        rows.append((f"{_approach(document)} to be made{cold}", _short(view.made_interference)))
     return Table("Drive", ("quantity", "value"), rows, words=(0, 1))
 
 
@@ -270,17 +267,6 @@ def _clearance(geometry: Document) -> Rows:
     return [("smallest clearance", f"{quantity(gap['gap_m'], 'mm')}, {words(gap['name'])}")]
 
 
-def _rolling_capacity(document: Document) -> str:
-    """Words for the torque capacity in rolling, in the direction of the joint's torque."""
-    capacity = document["rolling"]["torque_capacity_Nm"]
-    if capacity is None:
-        return "not limited by friction"
-    if capacity <= 0.0:
-        return "slips without a torque"
-    at_least = " at least" if may_carry_more(document["standing_torque_capacity"], capacity) else ""
-    return f"up to {quantity(capacity, 'N*m')}{at_least} without gross slip"
-
-
 def capacity_text(capacity: Document) -> str:
     """Torque capacity of both directions in words."""
 
@@ -299,15 +285,22 @@ def capacity_text(capacity: Document) -> str:
 OF_EVERY_JOINT = ("standing: ", "torque capacity, standing: ", "every track ", "rolling: steady", "life: ")
 
 
-def assumptions(document: Document, *, in_full: bool = True) -> Iterator[Block]:
+def assumptions(document: Document, *, brief: str = "") -> list[Block]:
+    """The assumptions below a heading, which says how to see more where ``brief`` has it."""
+    return [
+        Heading(f"Assumptions ({brief})" if brief else "Assumptions"),
+        assumed(document, in_full=not brief),
+    ]
+
+
+def assumed(document: Document, *, in_full: bool = True) -> Bullets:
     """What is assumed: in full, or by name what the file leaves out and in full what is not so in every joint."""
     told = document["assumptions"]
-    yield Heading(f"Assumptions{'' if in_full else ' (in full, and every table, with --all)'}")
     left_out = [] if in_full else [text for text in told if text.startswith("no ")]
     names = ", ".join(text.partition(":")[0].removeprefix("no ") for text in left_out)
     first = [f"not in the file: {names}"] if names else []
     rest = [text for text in told if in_full or not (text in left_out or text.startswith(OF_EVERY_JOINT))]
-    yield Bullets([*first, *rest])
+    return Bullets([*first, *rest])
 
 
 def surfaces(document: Document) -> list[Table]:

@@ -28,7 +28,10 @@ def warnings(document: Document) -> Block:
     crossed = crossed_limits(document, model=False)
     contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     if not crossed:
-        return Paragraph("No warnings: all limits are met.", strong=True)
+        verdict = document.get("verdict")  # of a whole joint
+        complete = verdict is None or (verdict["works"] and verdict["holds"])
+        met = "all limits are met" if complete else "no limit is crossed; what is not checked is said above"
+        return Paragraph(f"No warnings: {met}.", strong=True)
     return Warnings([_warned(entries, contacts) for entries in crossed])
 
 
@@ -64,7 +67,7 @@ def margins(judged: Sequence[Margin]) -> Iterator[Block]:
         "requirement of the model that fails means that the published contact law is outside its range, not that the "
         "joint fails."
     )
-    shown = sorted((margin for margin in judged if not margin.result.name.endswith("_residual")), key=_rank)
+    shown = sorted((margin for margin in judged if margin.result.group != "residuals"), key=_rank)
     rows = [
         (
             margin.label,

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from asperity.results.notes import surface_rows
-from asperity.results.position_rows import position_rows
 from asperity.rolling.document import rating_life_name
 from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Paragraph, Table
 from asperity.views.joint import input_member
 from asperity.views.numbers import number, percent, quantity, sentence, words
+from asperity.views.position import position_rows
 from asperity.views.solved_view import SolvedView
 
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
@@ -27,17 +27,18 @@ def rolling(view: SolvedView) -> Iterator[Block]:
         words=(0, 2),
     )
     if turning["losses_W"]["total"] is not None:
-        yield _losses(turning)
+        yield _losses(turning, has_bearings="bearings" in document["input"])
     if turning["unknown_because"]:
         yield Bullets([sentence(reason) for reason in turning["unknown_because"]])
     yield from view.contact_table("rolling", "Contacts in rolling")
     yield from _sliding(document)
     yield from films(document)
     yield from _thrust(document)
-    yield from _life(document)
+    yield from _life(view)
 
 
-def _losses(turning: Document) -> Table:
+def _losses(turning: Document, *, has_bearings: bool) -> Table:
+    """Losses by contact and cause; a dash for what the file leaves out."""
     rows = [
         (
             words(name),
@@ -47,7 +48,9 @@ def _losses(turning: Document) -> Table:
         for name, contact in turning["contacts"].items()
     ]
     sums = turning["losses_W"]
-    rows.append(("bearings and pins", *("" for _ in _CAUSES), number(sums["bearings"])))
+    rows.append(
+        ("bearings and pins", *("" for _ in _CAUSES), number(sums["bearings"] if has_bearings else None))
+    )
     rows.append(("all", *(number(sums[cause]) for cause in _CAUSES), number(sums["total"])))
     title = (
         f"Losses; efficiency {percent(turning['efficiency'])}, power in {quantity(turning['input_power_W'], 'W')}, out "
@@ -105,11 +108,13 @@ def _thrust(document: Document) -> Iterator[Block]:
         )
 
 
-def _life(document: Document) -> Iterator[Block]:
+def _life(view: SolvedView) -> Iterator[Block]:
+    document = view.document
+    on_axis = {body.name for body in view.solved.joint.drive.bodies if body.on_axis}
     turning, loads = document["rolling"], document["input"].get("duty", {})
     rows = [("the drive", number(turning["life_hours"]), number(turning["life_output_turns"]))]
     for name, hours in turning["body_life_hours"].items():
-        alone = document["of_own_branches"] or name in document["geometry"].values() or name.endswith("ring")
+        alone = document["of_own_branches"] or name in on_axis
         one = "" if alone else "one "
         rows.append((one + words(name), number(hours), number(turning["body_life_output_turns"][name])))
     if loads:

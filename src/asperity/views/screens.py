@@ -8,7 +8,7 @@ from asperity.results.margins import margins
 from asperity.views.blocks import Block, BlockDocument, Figures, Heading, block_documents
 from asperity.views.branches import branches
 from asperity.views.joint import (
-    assumptions,
+    assumed,
     contact_forces,
     contacts,
     drive,
@@ -26,11 +26,12 @@ from asperity.views.stiffness import budget, stiffness
 
 
 def opening(view: SolvedView, source: str) -> Iterator[Block]:
-    """Name of the joint, its load and its verdict."""
+    """Name of the joint, its load, its verdict, and the numbers that are asked for first."""
     kind = view.document["input"].get("type")
     yield Heading(source if kind is None else f"{source}: {words(kind)} drive")
     yield load(view)
-    yield from verdict(view)
+    yield verdict(view.document)
+    yield Figures(key_figures(view))
 
 
 def joint_screen(view: SolvedView, source: str, *, in_full: bool = True) -> Iterator[Block]:
@@ -66,7 +67,7 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
     document = view.document
     unequal = list(branches(document["branches"])) if "branches" in document else []
     panels: dict[str, list[Block]] = {
-        "verdict": verdict(view)[:1],
+        "verdict": [verdict(document)],
         "cards": [Figures(key_figures(view))],
         "levels": list(stiffness(view)),
         "budget": list(budget(document)),
@@ -80,6 +81,6 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
             *surfaces(document),
             *unequal,
         ],
-        "assumptions": list(assumptions(document))[1:],
+        "assumptions": [assumed(document)],
     }
     return {name: block_documents(blocks) for name, blocks in panels.items()}

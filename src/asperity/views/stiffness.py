@@ -13,7 +13,7 @@ from asperity.views.joint import input_member
 from asperity.views.numbers import number, number_in, percent, quantity, sentence, words
 from asperity.views.solved_view import SolvedView
 
-#: Share of the compliance below which a contact is not named beside its spring.
+#: Share of a spring below which a contact is not named beside it.
 _NAMED = 5e-4
 
 #: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
@@ -84,7 +84,10 @@ def level_words(document: Document) -> list[tuple[str, str]]:
 
 def law_range_words(document: Document) -> str:
     """Where the published contact law is outside its range, which concerns the level of the asperities alone; or ""."""
-    crossed = crossed_limits(document, model=True)
+    known = (
+        [entry for entry in entries if entry["known"]] for entries in crossed_limits(document, model=True)
+    )
+    crossed = [entries for entries in known if entries]
     if not crossed:
         return ""
     parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
@@ -95,8 +98,7 @@ def law_range_words(document: Document) -> str:
 def _largest(entries: list[Document]) -> str:
     if any(entry.get("infinite") for entry in entries):
         return "infinite"
-    known = [entry for entry in entries if entry["value"] is not None]
-    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"
+    return f"up to {max(entries, key=lambda entry: entry['value'])['shown']}"
 
 
 def _drift(document: Document) -> Paragraph:
@@ -195,10 +197,9 @@ def budget(document: Document) -> Iterator[Block]:
         yield Paragraph(sentence(f"{title}: none, {why}"))
         return
     shares.sort(key=lambda entry: -entry[0])
-    rows = [(spring, number(total, 100.0), _by_contact(where)) for total, spring, where in shares]
-    yield Table(
-        title, ("spring", "share\n%", "of it\n%"), rows, words=(0, 2), shares=[entry[0] for entry in shares]
-    )
+    rows = [(spring, number(total, 100.0), _by_contact(where, total)) for total, spring, where in shares]
+    head = ("spring", "share\n%", "by contact\n% of the whole")
+    yield Table(title, head, rows, words=(0, 2), shares=[entry[0] for entry in shares])
     every = [part for total, _, where in shares for part in (where.values() or [total])]
     if note := budget_words(
         every, elastic_bodies=(document["input"].get("model") or {}).get("bodies") != "springs"
@@ -206,7 +207,8 @@ def budget(document: Document) -> Iterator[Block]:
         yield Paragraph(sentence(note))
 
 
-def _by_contact(where: dict[str, float]) -> str:
-    """The contacts of a spring with their shares in percent, largest first."""
-    parts = sorted(((part, name) for name, part in where.items() if abs(part) >= _NAMED), reverse=True)
+def _by_contact(where: dict[str, float], total: float) -> str:
+    """The contacts of a spring of this share with theirs in percent of the whole, largest first."""
+    named = ((part, name) for name, part in where.items() if abs(part) >= _NAMED * abs(total))
+    parts = sorted(named, reverse=True)
     return ", ".join(f"{words(name)} {number(part, 100.0, digits=3)}" for part, name in parts)

@@ -211,10 +211,9 @@ def _show_table(target: Console, shown: Table, *, head: bool = True) -> None:
     from rich.table import Table as RichTable
 
     lines = box.SIMPLE_HEAD if head and target.encoding.lower().startswith("utf") else None
+    if shown.title:
+        print_wrapped(target, shown.title, indent=0, style="bold")
     made = RichTable(
-        title=escape(shown.title) if shown.title else None,
-        title_justify="left",
-        title_style="bold",
         box=lines,
         pad_edge=False,
         show_edge=False,

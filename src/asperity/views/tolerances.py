@@ -71,7 +71,7 @@ def _elasticity(value: float) -> str:
     """An elasticity with its sign; 0 where it is only what rounding leaves of nothing."""
     if math.isnan(value):
         return NONE
-    return "0" if abs(value) < _ROUNDING else f"{value:+.4g}"
+    return "0" if abs(value) < _ROUNDING else f"{'+' if value > 0.0 else ''}{number(value)}"
 
 
 def _derivative(value: float, unit: str, by: str) -> str:

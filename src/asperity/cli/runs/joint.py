@@ -42,4 +42,5 @@ def joint(
         print_json(document)
         return
     view = SolvedView(solved, document, made_interference(case, solved.result).size)
-    show_blocks(*joint_screen(view, file, in_full=in_full), *assumptions(document, in_full=in_full))
+    brief = "" if in_full else "in full, with shares, springs and the drive, with --all"
+    show_blocks(*joint_screen(view, file, in_full=in_full), *assumptions(document, brief=brief))

@@ -21,4 +21,6 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
     if as_json:
         print_json(rolling.document)
         return
-    show_blocks(*rolling.blocks(), *assumptions(rolling.document, in_full=in_full))
+    show_blocks(
+        *rolling.blocks(), *assumptions(rolling.document, brief="" if in_full else "in full with --all")
+    )

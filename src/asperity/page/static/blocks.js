@@ -44,8 +44,8 @@ function tableBlock({ title, head, rows, words, verdicts, shares }, before, pane
 }
 
 function change(now, before) {
-  if (!before || before.value === null || now.value === null || before.value === 0) return "";
-  const share = 100 * (now.value / before.value - 1);
+  if (!before || before.si === null || now.si === null || before.si === 0) return "";
+  const share = 100 * (now.si / before.si - 1);
   const text = Math.abs(share) < 0.005 ? "as the baseline" : `${share > 0 ? "+" : "−"}${number(Math.abs(share), 3)} % against the baseline`;
   return element("p", { class: "change" }, text);
 }
@@ -55,7 +55,7 @@ function card(figure, before) {
     "div",
     { class: "card" },
     element("h2", {}, figure.name),
-    element("p", { class: "value" }, element("span", { "data-value": figure.name }, figure.shown), " ", element("span", { class: "unit" }, figure.value === null ? "" : figure.unit)),
+    element("p", { class: "value" }, element("span", { "data-value": figure.name }, figure.shown), " ", element("span", { class: "unit" }, figure.si === null ? "" : figure.unit)),
     element("p", { class: "detail" }, figure.detail),
     change(figure, before),
   );

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from asperity.joint.pin_bound import bounded
-from asperity.joint.torque_limits import may_carry_more
 from asperity.types import Document
-from asperity.units import format_quantity
+from asperity.views.joint import in_its_direction
+from asperity.views.numbers import quantity
 
 
 class PositionRow(NamedTuple):
@@ -26,7 +25,10 @@ class PositionRow(NamedTuple):
 def position_rows(document: Document) -> list[PositionRow]:
     """Drift and stiffness, two numbers that do not replace each other, and the capacity in rolling, in order."""
     rolling = document["rolling"]
-    capacity = _finite(rolling["torque_capacity_Nm"])
+    turning, at_rest = (
+        in_its_direction(document, both)
+        for both in (rolling["torque_capacity"], document["standing_torque_capacity"])
+    )
     return [
         PositionRow(
             "drift per output turn",
@@ -42,7 +44,14 @@ def position_rows(document: Document) -> list[PositionRow]:
             bounded("assembled, at this torque", document["stiffness_bound"]),
         ),
         _comes_back(document),
-        PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),
+        PositionRow(
+            "torque capacity, rolling",
+            turning["output_torque_Nm"],
+            "N*m",
+            f"{turning['meaning']}; standing: {quantity(at_rest['output_torque_Nm'], 'N*m')}"
+            if at_rest["output_torque_Nm"] is not None
+            else f"{turning['meaning']}; standing: {at_rest['meaning']}",
+        ),
     ]
 
 
@@ -50,7 +59,7 @@ def _comes_back(document: Document) -> PositionRow:
     """The torque over the stiffness there, unless a contact that slips leaves the rest of the stiffness to others."""
     torque = document["standing"]["forces"]["output_torque_Nm"]
     spring = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
-    first_slip = _in_its_direction(document).get("first_slip")
+    first_slip = in_its_direction(document, document["standing_torque_capacity"]).get("first_slip")
     label = "torque over stiffness"
     if first_slip is not None and abs(torque) >= first_slip["output_torque_Nm"]:
         return PositionRow(
@@ -62,32 +71,3 @@ def _comes_back(document: Document) -> PositionRow:
         "arcmin",
         "approximate wind-up that comes back; exact: 'asperity windup'",
     )
-
-
-def _beyond(document: Document) -> str:
-    """Words for what ends the rolling beyond its capacity, and the capacity at rest."""
-    capacity, torque = (
-        document["standing_torque_capacity"],
-        _finite(document["rolling"]["torque_capacity_Nm"]),
-    )
-    if torque is None:
-        ends = "not limited by friction"
-    elif may_carry_more(capacity, torque):
-        ends = "at least: what is computed ends there"
-    else:
-        ends = "beyond, a contact slips"
-    at_rest = _finite(_in_its_direction(document)["output_torque_Nm"])
-    standing = "not limited by friction" if at_rest is None else format_quantity(at_rest, "N*m")
-    return f"{ends}; standing: {standing}"
-
-
-def _finite(value: float | None) -> float | None:
-    """A number, or None where it is infinite or unknown."""
-    return None if value is None or not math.isfinite(value) else float(value)
-
-
-def _in_its_direction(document: Document) -> Document:
-    """The capacity of the joint that stands, in the direction of its torque."""
-    capacity: Document = document["standing_torque_capacity"]
-    reverse: Document = capacity["reverse"]
-    return reverse if document["standing"]["forces"]["output_torque_Nm"] < 0.0 else capacity

@@ -4,31 +4,29 @@ import math
 
 import pytest
 
-from asperity.results.position_rows import position_rows
+from asperity.views.position import position_rows
 
 ARCMINUTE = math.pi / 10800.0
 
 
-def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), slips=7.5):
-    forward, lower, reverse, reverse_lower = both
+def document(capacity=12.5, torque=5.0, both=(9.0, 8.0), slips=7.5, ends="contact sp slips"):
+    forward, reverse = both
+    turning = {"output_torque_Nm": capacity, "meaning": ends}
+    first = {"first_slip": {"output_torque_Nm": slips}}
     return {
         "rolling": {
             "drift_rad_per_output_turn": 40.0 * ARCMINUTE,
             "speed_loss": 1.85e-3,
-            "torque_capacity_Nm": capacity,
+            "torque_capacity": {**turning, "reverse": turning},
         },
         "stiffness_bound": None,
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / ARCMINUTE}},
         "standing": {"forces": {"output_torque_Nm": torque}},
         "standing_torque_capacity": {
             "output_torque_Nm": forward,
-            "is_lower_bound": lower,
-            "first_slip": {"output_torque_Nm": slips},
-            "reverse": {
-                "output_torque_Nm": reverse,
-                "is_lower_bound": reverse_lower,
-                "first_slip": {"output_torque_Nm": slips},
-            },
+            "meaning": "no limit is reached at any torque",
+            **first,
+            "reverse": {"output_torque_Nm": reverse, **first},
         },
     }
 
@@ -45,29 +43,21 @@ def test_drift_stands_beside_the_stiffness():
     assert found["torque capacity, rolling"][1:] == (
         12.5,
         "N*m",
-        "beyond, a contact slips; standing: 9 N·m",
+        "contact sp slips; standing: 9 N·m",
     )
     assert found["stiffness at standstill"].meaning == "assembled, at this torque"
     assert rows(torque=-5.0)["torque capacity, rolling"].meaning.endswith("standing: 8 N·m")
 
 
-@pytest.mark.parametrize(
-    ("capacity", "both", "said"),
-    [
-        (12.5, (12.5, False, 12.5, True), "at least: what is computed ends there; standing: 12.5 N·m"),
-        (11.0, (12.5, False, 12.5, True), "beyond, a contact slips; standing: 12.5 N·m"),
-        (None, (None, False, None, False), "not limited by friction; standing: not limited by friction"),
-        (
-            math.inf,
-            (math.inf, False, 1.0, False),
-            "not limited by friction; standing: not limited by friction",
-        ),
-    ],
-)
-def test_what_ends_the_rolling(capacity, both, said):
-    found = rows(capacity=capacity, both=both)["torque capacity, rolling"]
-    assert found.meaning == said
-    assert found.value == (capacity if capacity and math.isfinite(capacity) else None)
+def test_what_ends_the_rolling_is_said_by_its_limit():
+    lifts = rows(capacity=11.0, ends="contact pwl lifts off")["torque capacity, rolling"]
+    assert lifts[1:] == (11.0, "N*m", "contact pwl lifts off; standing: 9 N·m")
+    never = rows(capacity=None, both=(None, None), ends="no limit is reached at any torque")
+    assert never["torque capacity, rolling"][1:] == (
+        None,
+        "N*m",
+        "no limit is reached at any torque; standing: no limit is reached at any torque",
+    )
 
 
 @pytest.mark.parametrize("torque", [5.0, -5.0])
