@@ -5,8 +5,16 @@ import math
 import pytest
 
 from asperity.views.blocks import Bullets, Paragraph, Table
+from asperity.views.solved_view import SolvedView
 
 ARCMINUTE = math.pi / 10800.0
+#: Three branches of a planetary drive of their own sizes, for the end of its file.
+UNLIKE = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (3, 0, -2))
+
+
+def with_document(view, **changes):
+    """The same joint with changed entries of its document."""
+    return SolvedView(view.solved, view.document | changes)
 
 
 def tables(blocks):

@@ -2,12 +2,11 @@
 
 import math
 
-from shown_blocks import amount, cells, four, sentences, tables
+from shown_blocks import UNLIKE, amount, cells, four, sentences, tables
 
 from asperity.views.branches import branches
 
 SIZES, AXIS = "Branches by their own sizes", "Forces on the axis with unequal branches"
-UNLIKE = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (3, 0, -2))
 
 
 def test_sizes_preloads_and_shares_of_a_solved_joint(view_of):

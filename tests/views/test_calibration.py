@@ -1,10 +1,11 @@
 """What a calibration found, as it is shown: intervals keep their width, bounds are no values."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
-from shown_blocks import cells, sentences, tables
+from shown_blocks import amount, cells, sentences, tables
 
 import asperity
 from asperity.units import format_quantity
@@ -35,11 +36,14 @@ def test_quantiles_by_their_shares():
 
 @pytest.fixture(scope="module")
 def found(zou_file, tmp_path_factory):
-    """The paper's joint from its own wind-up with a preload of 1250 N, and errors of 0.1 µrad."""
+    """The paper's joint from its own first loading with a preload of 1250 N, without any errors.
+
+    Only this half of ``angle`` is a history of loads: the other half is the first loading in the other direction.
+    """
     joint = asperity.load(zou_file)
-    loaded = asperity.windup(joint.with_values({"load.preload": "1250 N"}), torque="8 N*m").curve
-    torque, angle = np.asarray(loaded.torque)[::4], np.asarray(loaded.angle)[::4]
-    angle = angle + 1e-7 * np.random.default_rng(0).standard_normal(angle.size)
+    curve = asperity.windup(joint.with_values({"load.preload": "1250 N"}), torque="8 N*m").curve
+    loading = np.asarray(curve.torque) >= 0.0
+    torque, angle = np.asarray(curve.torque)[loading][::4], np.asarray(curve.angle)[loading][::4]
     file = tmp_path_factory.mktemp("data") / "curve.csv"
     rows = "".join(f"{t!r},{1e3 * a!r}\n" for t, a in zip(torque.tolist(), angle.tolist(), strict=True))
     file.write_text("torque [N*m],angle [mrad]\n" + rows)
@@ -48,14 +52,18 @@ def found(zou_file, tmp_path_factory):
 
 @pytest.mark.slow
 def test_estimates_with_their_intervals(found):
+    """Data without errors give the preload itself; the interval is the model's error, alike in ratio to both sides."""
     blocks = list(calibration(found))
     (table,) = tables(blocks).values()
     value, low, high, scatter_low, scatter_high, _ = cells(table)["load.preload"]
-    numbers = [float(cell.removesuffix(" N")) for cell in (low, scatter_low, value, scatter_high, high)]
-    assert numbers == sorted(numbers)
-    assert numbers[0] < 1250.0 < numbers[-1]
-    (estimate,) = found.estimates
-    assert numbers[2] == pytest.approx(estimate.value, rel=1e-4)
+    assert [cell.split()[1] for cell in (value, low, high, scatter_low, scatter_high)] == ["N"] * 5
+    preload, *ends = (amount(cell) for cell in (value, scatter_low, scatter_high, low, high))
+    assert preload == pytest.approx(1250.0, rel=1e-6)
+    assert ends[0] <= preload <= ends[1]
+    assert ends[2] < 0.9 * preload
+    assert ends[3] > 1.1 * preload
+    # preloads are searched by their logarithm
+    assert math.sqrt(ends[2] * ends[3]) == pytest.approx(preload, rel=1e-4)
     assert any("an error of the model: 5 % of the joint's compliance" in text for text in sentences(blocks))
 
 

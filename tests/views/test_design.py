@@ -55,6 +55,26 @@ def test_free_numbers_limits_and_results(found):
     assert limit == ("slip ratio T/(mu N), sp", "0.8", "≤ 0.8", "5 N·m", "active", "0.123")
 
 
+def test_limits_and_results_are_in_the_units_of_the_file(found):
+    """8.7e8 Pa against 1.4e9 Pa; 6e8 Pa, 0.05 m and 2e4 N·m/rad before, 7e8 Pa, 0.04 m and nothing as designed."""
+    pressed = dataclasses.replace(
+        LIMIT, name="hertz_pressure", label="Hertz pressure", limit=1.4e9, value=8.7e8, active=False, multiplier=0.0
+    )
+    before = {"hertz_pressure": 6e8, "envelope_diameter": 0.05, "assembly_stiffness_output": 2e4}
+    after = {"hertz_pressure": 7e8, "envelope_diameter": 0.04, "assembly_stiffness_output": float("nan")}
+    shown = tables(
+        design(
+            dataclasses.replace(
+                found, limits=(LIMIT, pressed), summary_before=before, summary_after=after, at_bound={}
+            )
+        )
+    )
+    _, row = shown["Limits of the design, each where it is closest"].rows
+    assert row == ("Hertz pressure, sp", "870 MPa", "≤ 1400 MPa", "5 N·m", "met", "")
+    rows = [row[1:] for row in shown["Before and design"].rows]
+    assert rows == [("50 mm", "40 mm"), ("600 MPa", "700 MPa"), ("20000 N·m/rad", "–")]
+
+
 def test_steps_have_a_column_and_what_they_cost(found):
     stepped = dataclasses.replace(found.problem.variables[0], step=50.0)
     problem = dataclasses.replace(found.problem, variables=(stepped,))

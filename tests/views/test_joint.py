@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from shown_blocks import ARCMINUTE, amount, cells, four, tables
+from shown_blocks import ARCMINUTE, amount, cells, four, tables, with_document
 
 from asperity.views.blocks import Bullets, Heading
 from asperity.views.joint import (
@@ -22,12 +22,26 @@ from asperity.views.joint import (
 from asperity.views.solved_view import SolvedView
 
 FRICTION = 0.12  # of the paper's example
+MODULUS = 206e9 / (2.0 * (1.0 - 0.3**2))  # E* of two bodies of its steel [Pa]
+LENGTH = 5e-3  # of its contacts [m]
+#: Of a surface and of its average over cut-offs [SI].
+RA = {
+    "fractal_dimension": 1.6,
+    "fractal_roughness_m": 2e-10,
+    "cut_off_m": 0.8e-3,
+    "roughness_average_m": 0.2e-6,
+    "roughness_average_low_m": 0.15e-6,
+    "roughness_average_high_m": 0.25e-6,
+}
+#: Of its contacts: 1/R = 1/R_1 + 1/R_2, within the ring 1/R_1 - 1/R_2 [m].
+RADIUS = {
+    "sp": 1e-3 / (1.0 / 4.0 + 1.0 / 13.5),
+    **dict.fromkeys(("pwr", "pwl"), 1e-3 / (1.0 / 13.5 + 1.0 / 5.0)),
+    **dict.fromkeys(("wro", "wlo"), 1e-3 / (1.0 / 5.0 - 1.0 / 40.0)),
+}
+PIN_BEARING = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
+BEARING_STEEL = 7833e-9  # density of 52100 [kg/mm^3], of the planetary example
 CROWNED = ('contact_length = "5 mm" ', 'planet_crown_radius = "2 m"\ncontact_length = "5 mm" ')
-
-
-def with_document(view, **changes):
-    """The same joint with changed entries of its document."""
-    return SolvedView(view.solved, view.document | changes)
 
 
 def figures(view):
@@ -70,6 +84,29 @@ def test_where_a_joint_gets_loose(paper_view):
     )
 
 
+def test_of_a_side_the_first_limit_is_told_behind_the_working_temperature(paper_view):
+    """On the way up the ring leaves its housing between the rollers before its fit is lost."""
+    limits = [
+        {"lost": "seat_between_rollers", "part": "ring", "temperature_degC": 70.0, "side": "above"},
+        {"lost": "seat", "part": "ring", "temperature_degC": 95.0, "side": "above"},
+    ]
+    assembled = {
+        "temperature_degC": 20.0,
+        "working_temperature_degC": 60.0,
+        "force_N": 900.0,
+        "interference_m": 12e-6,
+    }
+    preload = paper_view.document["preload"] | {"temperature_limits": limits, "at_assembly": assembled}
+    assert load(with_document(paper_view, preload=preload)).text.endswith(
+        "; at 60 degC, assembled at 20 degC with 900 N (12 µm); no pressure of ring on its housing between the "
+        "rollers above 70 degC"
+    )
+    preload |= {"temperature_limits": limits[1:], "at_assembly": None}
+    assert load(with_document(paper_view, preload=preload)).text.endswith(
+        "; no fit of ring in its housing above 95 degC"
+    )
+
+
 def test_a_loading_cam_is_told(view_of):
     cam = 'output_torque = "10 N*m"\ncam_force_per_torque = "20 N/Nm"'
     said = load(view_of("planetary", ('output_torque = "10 N*m"', cam))).text
@@ -93,8 +130,9 @@ def test_key_figures_are_those_of_the_solution(planetary_view):
         assert (amount(shown[name].text), shown[name].unit) == (pytest.approx(value, rel=1e-3), unit), name
     assert f"{stiffness:.0f} N·m/rad" in shown["Stiffness at the output"].detail
     assert "sun locked (upper bound: pins rigid)" in shown["Stiffness at the output"].detail
-    masses = planetary_view.document["standing"]["forces"]["body_mass_kg"]
-    assert amount(shown["Mass"].text) == four(masses["sun"] + 3.0 * masses["planet"] + masses["ring"])
+    # sun of 10 mm, three planets of 20 mm and a ring of 50 to 58 mm, each 10 mm long
+    area = math.pi * (10.0**2 + 3.0 * 20.0**2 + 58.0**2 - 50.0**2)
+    assert amount(shown["Mass"].text) == four(BEARING_STEEL * area * 10.0)
     assert shown["Speed ratio"].detail == "sun over carrier, ring grounded"
 
 
@@ -166,7 +204,7 @@ def test_the_verdict_is_one_paragraph_before_the_figures(paper_view, planetary_v
 
 
 def test_contacts_are_in_the_units_of_their_heads(paper_view):
-    """The width is twice the half-width; the ratio of slip by hand from the forces."""
+    """Traction by statics; width 2 b and pressure by Hertz: b² = 4 N R/(pi E* L), p = 2 N/(pi b L)."""
     standing = paper_view.document["standing"]
     shown = tables(contacts(paper_view))
     forces = shown["Contact forces at standstill, under the torque"]
@@ -174,17 +212,19 @@ def test_contacts_are_in_the_units_of_their_heads(paper_view):
     stiffness = shown["Contact stiffness"]
     assert [head.partition("\n")[2] for head in stiffness.head] == ["", *["N/µm"] * 4, "N·m/rad"]
     assert list(cells(forces)) == list(cells(stiffness)) == list(standing["contacts"])
-    for name, row in cells(forces).items():
-        normal, tangential = (standing["forces"][f"{kind}_N"][name] for kind in ("normal", "tangential"))
-        contact = standing["contacts"][name]
-        assert [float(cell) for cell in row] == [
-            four(normal),
-            four(tangential),
-            four(2e3 * contact["hertz_half_width_m"]),
-            four(1e-6 * contact["hertz_pressure_Pa"]),
-            four(1e6 * contact["real_contact_area_m2"]),
-            four(tangential / (FRICTION * normal)),
-        ]
+    numbers = {name: [float(cell) for cell in row] for name, row in cells(forces).items()}
+    # 5 N·m at a ratio of 9 on three planets around a sun of 4 mm; the planet passes it on to both loading rollers
+    traction = 5.0 / 9.0 / (3.0 * 4e-3)
+    assert numbers["sp"][1] == four(traction)
+    assert numbers["pwr"][1] + numbers["pwl"][1] == four(traction)
+    assert (numbers["wro"][1], numbers["wlo"][1]) == (numbers["pwr"][1], numbers["pwl"][1])
+    for name, (normal, tangential, width, pressure, area, slip) in numbers.items():
+        half_width = math.sqrt(4.0 * normal * RADIUS[name] / (math.pi * MODULUS * LENGTH))
+        assert width == pytest.approx(2e3 * half_width, rel=1e-3)
+        assert pressure == pytest.approx(1e-6 * 2.0 * normal / (math.pi * half_width * LENGTH), rel=1e-3)
+        assert slip == pytest.approx(tangential / (FRICTION * normal), rel=1e-3)
+        assert normal == four(standing["forces"]["normal_N"][name])
+        assert area == four(1e6 * standing["contacts"][name]["real_contact_area_m2"])
     for name, row in cells(stiffness).items():
         contact = standing["contacts"][name]
         springs = [
@@ -229,16 +269,32 @@ def test_the_drive_in_degrees_grams_and_millimetres(paper_view):
         assert amount(shown[f"mass, {body}"]) == four(7850.0 * math.pi * radius**2 * 5.0 * 1e-6)
     gap = 2.0 * 17.5 * math.sin(math.pi / 3.0) - 2.0 * 13.5
     assert shown["smallest clearance"] == f"{gap:.4g} mm, planet to planet"
-    pins = paper_view.document["standing"]["forces"]["pin_N"]["left_loading_roller"]
-    assert shown["force on the pin, left loading roller"] == (
-        f"radial 0 N, tangential {pins['tangential']:.4g} N, standing"
-    )
+    # pins do not push along the radius (push angles of 0°); tangentially they leave the torque: 3 R (F_r + F_l) = -5 N·m
+    pins = [shown[f"force on the pin, {side} loading roller"].split() for side in ("left", "right")]
+    assert [pin[:4] + pin[5:] for pin in pins] == 2 * ["radial 0 N, tangential N, standing".split()]
+    assert sum(float(pin[4]) for pin in pins) * 3.0 * 35e-3 == pytest.approx(-5.0, rel=1e-3)
     assert shown["torque capacity, rolling"].endswith("without gross slip")
     assert amount(shown["interference to be made"]) == four(
         1e6 * float(paper_view.solved.result.interference)
     )
     without = SolvedView(paper_view.solved, paper_view.document)
     assert "interference to be made" not in cells(drive(without))
+
+
+def test_a_pin_is_pressed_in_both_directions_and_a_gap_may_be_unknown(paper_view):
+    forces = paper_view.document["standing"]["forces"] | {
+        "pin_N": {"left_loading_roller": {"radial": -12.5, "tangential": 40.0}}
+    }
+    gaps = [{"name": "sun_to_ring", "gap_m": None}, {"name": "planet_to_planet", "gap_m": 2e-3}]
+    changes = {
+        "standing": paper_view.document["standing"] | {"forces": forces},
+        "geometry": paper_view.document["geometry"] | {"clearances": gaps},
+    }
+    shown = cells(drive(with_document(paper_view, **changes)))
+    assert shown["force on the pin, left loading roller"] == ("radial -12.5 N, tangential 40 N, standing",)
+    assert shown["smallest clearance"] == ("2 mm, planet to planet",)
+    changes["geometry"] = changes["geometry"] | {"clearances": gaps[:1]}
+    assert "smallest clearance" not in cells(drive(with_document(paper_view, **changes)))
 
 
 def test_a_spring_that_presses_wheels_travels(view_of):
@@ -257,12 +313,12 @@ def test_losses_are_part_of_the_torque_at_the_input_in_rolling(planetary_view):
 
 def test_bearings_and_bodies_that_bend_have_a_row_each(paper_view, planetary_view, view_of):
     assert not any(name.startswith(("bearing", "rim")) for name, _ in drive(paper_view).rows)
-    section = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
-    view = view_of("planetary", more=section)
-    shown = cells(drive(view))
-    (bearing,) = view.document["bearings"]
-    assert shown["bearing life L10, planet pin"][0].endswith(" h")
-    assert amount(shown["bearing life L10, planet pin"][0]) == four(bearing["life_hours"])
+    (said,) = cells(drive(view_of("planetary", more=PIN_BEARING)))["bearing life L10, planet pin"]
+    # F = 10 N·m/(3·30 mm); 10^6 (C/F)^(10/3) turns at 250 rpm·50/20, less the creep
+    hours = 1e6 * (8000.0 * 0.09 / 10.0) ** (10.0 / 3.0) / (60.0 * 625.0)
+    assert (amount(said), said.split()[1]) == (pytest.approx(hours, rel=2e-3), "h")
+    standing = view_of("planetary", ("1500 rpm", "0 rpm"), more=PIN_BEARING)
+    assert cells(drive(standing))["bearing life L10, planet pin"] == ("–",)  # no hours
     ring = planetary_view.document["rims"]["ring"]
     (said,) = cells(drive(planetary_view))["rim of the ring"]
     assert said == f"yield safety {ring['yield_safety']:.4g}, fatigue safety {ring['fatigue_safety']:.4g}"
@@ -310,6 +366,9 @@ def test_what_is_assumed_in_short_and_in_full(planetary_view):
     assert "the bearings have no friction" not in names
     assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
     assert fatigue.startswith("fatigue_strength of material 52100: 588 MPa of specimens")
+    told = ["no section [play]: the output has no play", *OF_EVERY_JOINT, "crowns: of every roller, in full"]
+    _, short = assumptions({"assumptions": told}, in_full=False)
+    assert list(short.items) == ["not in the file: section [play]", "crowns: of every roller, in full"]
 
 
 def test_the_ra_of_every_surface(paper_view, view_of):
@@ -321,7 +380,9 @@ def test_the_ra_of_every_surface(paper_view, view_of):
     assert float(row[4]) == four(1e6 * entry["roughness_average_m"])
     low, high = row[5].split(" to ")
     assert float(low) < float(row[4]) < float(high)
-    unlike = [entry | {"contacts": ["sp", "pwr"]}, entry | {"contacts": ["wro"]}]
-    (shown,) = surfaces(paper_view.document | {"surfaces": unlike})
-    assert [row[0] for row in shown.rows] == ["sp, pwr", "wro"]
+    (shown,) = surfaces(paper_view.document | {"surfaces": [entry | RA | {"contacts": ["sp", "pwr"]}]})
+    assert shown.rows == [("sp, pwr", "1.6", "2e-7", "0.8", "0.2", "0.15 to 0.25")]
+    assert shown.head[2:] == ("G\nmm", "cut-off\nmm", "Ra\nµm", "95 % measured\nµm")
+    of_two = {"surfaces": [RA | {"contacts": ["sp", "pr"]}], "standing": {"contacts": {"sp": {}, "pr": {}}}}
+    assert surfaces(of_two)[0].rows == [("all", *shown.rows[0][1:])]
     assert surfaces(paper_view.document | {"surfaces": []}) == []  # by their heights

@@ -1,4 +1,4 @@
-"""Loads of the structure, its bearings and bodies that bend, as they are shown."""
+"""Loads of the structure, its bearings and bodies that bend, as they are shown: by statics, kinematics and ISO 281."""
 
 import math
 
@@ -12,7 +12,12 @@ LOADS, BEARINGS = "Loads of the structure", "Rolling bearings, each one alone"
 SECTIONS = (
     '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
     '\n[[duty]]\noutput_torque = "6 N*m"\nsun_speed = "3000 rpm"\nshare = 1.0\n'
+    '\n[bearings]\npin_diameter = "12 mm"\npin_length = "20 mm"\n'
 )
+#: Of each of three pins on a circle of 30 mm [N].
+FORCE, FORCE_OF_DUTY = 10.0 / 3.0 / 0.030, 6.0 / 3.0 / 0.030
+#: Of a planet on its pin [rpm]: the carrier turns at a sixth of the sun, and the planet rolls in a ring of 50 mm.
+ON_PIN, ON_PIN_IN_DUTY = 1500.0 / 6.0 * 50.0 / 20.0, 3000.0 / 6.0 * 50.0 / 20.0
 
 
 @pytest.fixture(scope="module")
@@ -34,11 +39,21 @@ def test_pins_carry_what_statics_says(document):
         "duty 1, in rolling\n6 N·m\n3000 rpm",
     )
     place = next(n for n, row in enumerate(shown.rows) if row[0] == "carrier pin, planet")
-    row = next(row for row in shown.rows[place:] if row[1] == "tangential force")
-    assert [float(cell) for cell in row[3:]] == [0.0, four(10.0 / 0.09), four(6.0 / 0.09)]
+    of_pin = {row[1]: row for row in shown.rows[place : place + 6]}
+    row = of_pin["tangential force"]
+    assert [float(cell) for cell in row[3:]] == [0.0, four(FORCE), four(FORCE_OF_DUTY)]
     assert row[2] == "N"
     # a part is named once
-    assert all(row[0] == "" for row in shown.rows[place + 1 : shown.rows.index(row) + 1])
+    assert [each[0] for each in of_pin.values()] == ["carrier pin, planet"] + 5 * [""]
+    # 10 mm of planet in the middle of a beam of 20 mm: M = F/2 (l/2 - b/4); sigma = M / (pi d^3/32), d = 12 mm
+    row = of_pin["bending stress"]
+    modulus = math.pi * 12.0**3 / 32.0
+    stresses = [force / 2.0 * (20.0 / 2.0 - 10.0 / 4.0) / modulus for force in (FORCE, FORCE_OF_DUTY)]
+    assert (row[2], [float(cell) for cell in row[3:]]) == ("MPa", [0.0, *map(four, stresses)])
+    # creep takes less than a thousandth
+    row = of_pin["speed, roller on pin"]
+    assert row[2] == "rpm"
+    assert [float(cell) for cell in row[3:]] == pytest.approx([0.0, ON_PIN, ON_PIN_IN_DUTY], rel=1e-3)
     assert {row[2] for row in shown.rows} >= {"N", "N·m", "rpm"}
 
 
@@ -49,21 +64,22 @@ def test_numbers_that_do_not_exist_are_dashes(document):
 
 
 def test_bearings_by_their_ratings(document):
-    """C over P to the power of 10/3 of a roller bearing, in millions of turns."""
+    """C over P to the power of 10/3 of a roller bearing, in millions of turns; C_0 over P."""
     shown = tables(loads(document))[BEARINGS]
-    (bearing,) = document["bearings"]
     ((name, kind, *numbers),) = shown.rows
     heads = [head.replace("\n", " ") for head in shown.head[2:]]
     found = dict(zip(heads, numbers, strict=True))
     assert (name, kind) == ("planet pin", "roller")
     assert (found["C N"], found["C_0 N"]) == ("8000", "9000")
-    assert float(found["load N"]) == four(bearing["load_N"])
-    (speed,) = (
-        values["values"][1] for values in document["loads"] if values["quantity"] == "speed, roller on pin"
-    )
-    hours = 1e6 * (8000.0 / bearing["load_N"]) ** (10.0 / 3.0) / (3600.0 * speed / (2.0 * math.pi))
-    assert float(found["life L10 h"]) == pytest.approx(hours, rel=1e-3)
-    assert float(found["largest P/C -"]) == four(bearing["load_N"] / 8000.0)
+    assert float(found["load N"]) == four(FORCE)
+    for head, force, speed in (
+        ("life L10 h", FORCE, ON_PIN),
+        ("under the duty h", FORCE_OF_DUTY, ON_PIN_IN_DUTY),
+    ):
+        hours = 1e6 * (8000.0 / force) ** (10.0 / 3.0) / (60.0 * speed)
+        assert float(found[head]) == pytest.approx(hours, rel=2e-3)  # creep and four digits
+    assert float(found["largest P/C -"]) == four(FORCE / 8000.0)
+    assert float(found["static safety -"]) == four(9000.0 / FORCE)  # 81
 
 
 def test_reasons_and_notes_stand_below_the_tables(document):

@@ -1,11 +1,9 @@
 """What commands, notebook and page show of a joint, and in which order."""
 
-from shown_blocks import tables
+from shown_blocks import UNLIKE, tables
 
 from asperity.views.blocks import Figures, Heading, Paragraph, Warnings
 from asperity.views.screens import closing, joint_screen, page_views, rolling_screen
-
-UNLIKE = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (3, 0, -2))
 
 
 def test_a_screen_begins_with_name_load_verdict_and_key_figures(paper_view, planetary_view):

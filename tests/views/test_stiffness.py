@@ -1,10 +1,9 @@
 """Stiffness on every level with what bounds it, laws, intervals, and where the compliance comes from."""
 
 import pytest
-from shown_blocks import ARCMINUTE, cells, four, sentences, tables
+from shown_blocks import ARCMINUTE, cells, four, sentences, tables, with_document
 
 from asperity.units import format_quantity
-from asperity.views.solved_view import SolvedView
 from asperity.views.stiffness import LEVEL_WORDS, budget, law_range_words, stiffness
 
 LEVELS = "Torsional stiffness"
@@ -19,10 +18,6 @@ AS_SPRINGS = (
     ('bodies = "exact"', 'bodies = "springs"'),
     ('ring_support = "free"', 'ring_support = "rigid_housing"'),
 )
-
-
-def with_document(view, **changes):
-    return SolvedView(view.solved, view.document | changes)
 
 
 @pytest.fixture(scope="module")

@@ -245,7 +245,7 @@ def _pins(forces: Document) -> Rows:
 def _strength(document: Document) -> Rows:
     """Lives of rated bearings, and safeties of the bodies that bend."""
     lives = [
-        (f"bearing life L10, {words(bearing['bearing'])}", f"{number(bearing['life_hours'])} h")
+        (f"bearing life L10, {words(bearing['bearing'])}", _hours(bearing["life_hours"]))
         for bearing in document["bearings"]
     ]
     safeties = [
@@ -257,6 +257,11 @@ def _strength(document: Document) -> Rows:
         for name, rim in document["rims"].items()
     ]
     return [*lives, *safeties]
+
+
+def _hours(hours: float | None) -> str:
+    """A time in hours with its unit, a dash where there is none."""
+    return number(hours) if hours is None else f"{number(hours)} h"
 
 
 def _clearance(geometry: Document) -> Rows:
