@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import math
 
 import numpy as np
 import pytest
@@ -59,9 +60,14 @@ def test_the_numbers_of_the_issue(document):
     assert published["output_Nm_per_arcmin"] == pytest.approx(
         published["output_Nm_per_rad"] * 2.908882087e-4, rel=1e-9
     )
-    assert document["geometry"]["alpha_rad"] == pytest.approx(0.243034, abs=1e-6)  # 13.9248 deg
-    assert document["geometry"]["theta_rad"] == pytest.approx(0.472689, abs=1e-6)  # 27.0831 deg
-    assert document["geometry"]["wedge_angle_rad"] == pytest.approx(0.229654, abs=1e-6)  # 13.1582 deg
+    # triangle of sun, planet and loading roller: sides of 4 + 13.5, 13.5 + 5 and 40 - 5 mm, cosine rule; in degrees
+    # 13.9248, 27.0831 and 13.1582
+    inner, middle, outer = 17.5, 18.5, 35.0
+    alpha = math.acos((inner**2 + outer**2 - middle**2) / (2.0 * inner * outer))
+    beta = math.acos((middle**2 + outer**2 - inner**2) / (2.0 * middle * outer))
+    assert (alpha, beta) == pytest.approx((0.243034, 0.229654), abs=1e-6)
+    for key, angle in (("alpha_rad", alpha), ("wedge_angle_rad", beta), ("theta_rad", alpha + beta)):
+        assert document["geometry"][key] == pytest.approx(angle, rel=1e-12)
     assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-15)
     assert document["standing"]["forces"]["output_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
     assert document["standing"]["forces"]["body_mass_kg"]["planet"] == pytest.approx(

@@ -104,6 +104,7 @@ def test_it_is_wound_up_drawn_and_reported(copy):
     assert "outer" in page
     drawn = run(copy, "draw", "double.toml", "--out", "double.svg")
     assert drawn.returncode == 0, drawn.stderr
+    assert "3 × outer ⌀20" in (copy / "double.svg").read_text(encoding="utf-8")
 
 
 def test_a_ratio_stands_for_a_radius(copy):
@@ -139,8 +140,16 @@ def test_own_branches_have_its_sizes(copy):
     (copy / "branches.toml").write_text(
         text.replace(line, 'interference = "20 um"') + sizes, encoding="utf-8"
     )
-    document = json_of(copy, "joint", "branches.toml")
-    assert document["branches"]
+    unequal = json_of(copy, "joint", "branches.toml")["branches"]
+    sizes = [(each["inner_deviation_m"], each["outer_deviation_m"]) for each in unequal["branches"]]
+    assert sizes == [(0.0, pytest.approx(1e-6)), (0.0, 0.0), (pytest.approx(-1e-6), 0.0)]
+    # a planet is as much thicker as twice its radius
+    first, second, third = (each["interference_m"] for each in unequal["branches"])
+    assert (first - second, second - third) == pytest.approx((2e-6, 2e-6), rel=1e-6)
+    for state in ("standing", "rolling"):
+        first, second, third = unequal[state]["share"]
+        assert first > second > third > 0.0
+        assert first + second + third == pytest.approx(1.0, rel=1e-9)
 
 
 def test_a_type_that_is_not_complete_is_told_with_its_file(copy, tmp_path):

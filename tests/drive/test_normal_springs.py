@@ -1,28 +1,10 @@
 """The springs of contacts against the compression formula they stand for."""
 
-import math
-
 import jax
-import numpy as np
 import pytest
+from johnson_rollers import johnson, springs_at
 
-from asperity.drive.normal_springs import NormalSprings, compression
-
-
-def johnson(force):
-    """Two like steel rollers, R = 4 and 13.5 mm, B = 5 mm: Johnson 1985, equation (5.57), both bodies."""
-    modulus, nu, length, radii = 206e9, 0.3, 5e-3, (4e-3, 13.5e-3)
-    contact = modulus / (2.0 * (1.0 - nu**2))
-    effective = radii[0] * radii[1] / (radii[0] + radii[1])
-    width = math.sqrt(4.0 * force * effective / (math.pi * length * contact))
-    scale = force / length * (1.0 - nu**2) / (math.pi * modulus)
-    return scale * sum(2.0 * math.log(4.0 * radius / width) - 1.0 for radius in radii)
-
-
-def springs_at(force):
-    step = 1e-4 * force
-    incremental = (johnson(force + step) - johnson(force - step)) / (2.0 * step)
-    return NormalSprings(np.array(johnson(force) / force), np.array(incremental))
+from asperity.drive.normal_springs import compression
 
 
 @pytest.mark.parametrize("force", [1.0, 200.0, 1000.0, 5000.0])

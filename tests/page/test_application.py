@@ -443,9 +443,18 @@ def test_nobody_waits_for_the_file_of_another(client, joint_text, monkeypatch, p
 @pytest.mark.slow
 def test_the_interface_describes_its_answers(client, solve, described_as, joint_text):
     answer, kind = solve().json(), {"content-type": "application/toml"}
-    described_as("Answer", answer)
-    described_as("Curves", answer["curves"])
-    described_as("Windup", answer["windup"])
-    described_as("Error", solve(load__preload="x").json())
-    described_as("File", client.post("/api/file", content=joint_text.encode(), headers=kind).json())
-    described_as("ResultOfChart", client.post("/api/results", json={"toml": joint_text}).json()[0])
+    assert described_as("Answer", answer) == set()
+    assert described_as("Curves", answer["curves"]) == set()
+    assert described_as("Windup", answer["windup"]) == set()
+    assert described_as("Error", solve(load__preload="x").json()) == set()
+    one, other = ({"toml": joint_text.replace('"5 N*m"', torque)} for torque in ('"5 N*m"', '"4 N*m"'))
+    compared = client.post("/api/compare", json={"one": one, "other": other}).json()
+    assert described_as("Comparison", compared) == set()
+    assert (
+        described_as("File", client.post("/api/file", content=joint_text.encode(), headers=kind).json())
+        == set()
+    )
+    assert (
+        described_as("ResultOfChart", client.post("/api/results", json={"toml": joint_text}).json()[0])
+        == set()
+    )

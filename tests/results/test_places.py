@@ -1,6 +1,7 @@
 """Places of rows in the JSON document: each its own, with its unit at the end, and all of them filled."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -111,19 +112,46 @@ def test_rows_that_no_part_of_a_joint_has_are_not_computed(rows):
     assert all(np.isnan(entry["a_N"]) for entry in found.values())
 
 
+#: Rows of the paper's joint at places of the document, and the numbers at these places by hand.
+BY_HAND = {
+    # sun of 4 mm within a ring of 40 mm that stands: the wedge turns the carrier backwards
+    "speed_ratio": -9.0,
+    # sun, three planets, six loading rollers of 5 mm length, and the ring of 40 to 100 mm: rho pi r² L
+    "mass": 7850.0 * math.pi * (4.0**2 + 3.0 * 13.5**2 + 6.0 * 5.0**2 + 100.0**2 - 40.0**2) * 5.0 * 1e-9,
+}
+
+
+def hertz_pressures(document):
+    """Of each contact p = sqrt(N E*/(pi R L)) by its force; two bodies of steel, 5 mm long."""
+    modulus, length = 206e9 / (2.0 * (1.0 - 0.3**2)), 5e-3
+    curvature = {"sp": 1.0 / 4.0 + 1.0 / 13.5}
+    curvature |= dict.fromkeys(("pwr", "pwl"), 1.0 / 13.5 + 1.0 / 5.0)
+    curvature |= dict.fromkeys(("wro", "wlo"), 1.0 / 5.0 - 1.0 / 40.0)
+    forces = document["standing"]["forces"]["normal_N"]
+    return {
+        name: math.sqrt(forces[name] * modulus * 1e3 * per_radius / (math.pi * length))
+        for name, per_radius in curvature.items()
+    }
+
+
 def test_the_document_has_the_numbers_of_the_rows(solved_example):
     """By their places, as a reader of the document looks for them."""
     from asperity.results.document import joint_document
 
     document = joint_document(solved_example, inputs={}, assumptions=())
-    for name in (
-        "mass",
-        "speed_ratio",
-        "hertz_pressure",
-        "creep_loss",
-        "body_life",
-        "published_stiffness_output",
-    ):
+    for name, expected in BY_HAND.items():
+        node = document
+        for key in place(RESULTS[name]).split("."):
+            node = node[key]
+        assert node == pytest.approx(expected, rel=1e-9), name
+    pressures = hertz_pressures(document)
+    assert set(pressures) == set(document["standing"]["contacts"])
+    for contact, expected in pressures.items():
+        assert document["standing"]["contacts"][contact]["hertz_pressure_Pa"] == pytest.approx(
+            expected, rel=1e-9
+        )
+    # of the others, whose numbers are judged in their own rooms, the place
+    for name in ("creep_loss", "body_life", "published_stiffness_output"):
         known = RESULTS[name]
         names = [""] if known.axis == "one" else solved_example.row_names(known.axis)
         values = np.broadcast_to(np.asarray(known.of(solved_example), dtype=float), (len(names),))

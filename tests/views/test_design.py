@@ -58,7 +58,13 @@ def test_free_numbers_limits_and_results(found):
 def test_limits_and_results_are_in_the_units_of_the_file(found):
     """8.7e8 Pa against 1.4e9 Pa; 6e8 Pa, 0.05 m and 2e4 N·m/rad before, 7e8 Pa, 0.04 m and nothing as designed."""
     pressed = dataclasses.replace(
-        LIMIT, name="hertz_pressure", label="Hertz pressure", limit=1.4e9, value=8.7e8, active=False, multiplier=0.0
+        LIMIT,
+        name="hertz_pressure",
+        label="Hertz pressure",
+        limit=1.4e9,
+        value=8.7e8,
+        active=False,
+        multiplier=0.0,
     )
     before = {"hertz_pressure": 6e8, "envelope_diameter": 0.05, "assembly_stiffness_output": 2e4}
     after = {"hertz_pressure": 7e8, "envelope_diameter": 0.04, "assembly_stiffness_output": float("nan")}

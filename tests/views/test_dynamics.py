@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from shown_blocks import amount, cells, four, sentences, tables
 
@@ -48,6 +49,10 @@ def test_every_fourth_torque_is_shown(document):
         four(stiffness) for stiffness in over["stiffness_output_Nm_per_rad"][::4]
     ]
     assert rows[-1][-1] == "–"  # at the capacity creep has no corner
+    # between two torques of the curve lies the working torque, which is solved on its own
+    torques, stiffness = over["output_torque_Nm"], over["stiffness_output_Nm_per_rad"]
+    here = document["at_torque"]["stiffness_output_Nm_per_rad"]
+    assert np.interp(10.0, torques, stiffness) == pytest.approx(here, rel=5e-4)
 
 
 @pytest.mark.parametrize(

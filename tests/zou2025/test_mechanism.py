@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from johnson_rollers import johnson, springs_at
 
 from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
-from asperity.drive.normal_springs import NormalSprings, compression
+from asperity.drive.normal_springs import compression
 from asperity.zou2025.mechanism import rest_state, steepest_compliance
 
 RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
@@ -32,14 +33,13 @@ def test_rest_state_balances_with_inclined_pins(left, right):
 
 
 def test_the_steepest_compliance_is_that_of_a_contact_about_to_lift():
-    """The slope of the compression by differences: that of any load is less, and below the least load it is this."""
-    spring, rest = NormalSprings(np.array(1.4e-8), np.array(1.2e-8)), 1000.0
+    """Below the least load it is the slope of the compression; that of Johnson's formula under any load is less."""
+    spring, rest = springs_at(1000.0), 1000.0
     steepest = float(steepest_compliance(spring))
-
-    def slope(low, high):
-        at = (float(compression(springs=spring, normal_force=n, rest_force=rest)) for n in (low, high))
-        return -np.subtract(*at) / (high - low)
-
-    assert slope(-1.0, 0.9e-6 * rest) == pytest.approx(steepest, rel=1e-9)
+    low, high = (
+        float(compression(springs=spring, normal_force=n, rest_force=rest)) for n in (-1.0, 0.9e-6 * rest)
+    )
+    assert (high - low) / (1.0 + 0.9e-6 * rest) == pytest.approx(steepest, rel=1e-9)
     for force in (1.0, 100.0, 1000.0, 5000.0):
-        assert 0.0 < slope(0.999 * force, 1.001 * force) < steepest
+        slope = (johnson(1.001 * force) - johnson(0.999 * force)) / (0.002 * force)
+        assert 0.0 < slope < steepest
