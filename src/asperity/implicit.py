@@ -11,7 +11,7 @@ import numpy as np
 from asperity.engine import trees
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import vectorised, while_loop
-from asperity.engine.derivatives import linearised, slopes_apart, without_slopes
+from asperity.engine.derivatives import linearised, slopes_apart, value_and_slope, without_slopes
 from asperity.engine.dual import Dual, constant_at, highest_level
 from asperity.linear import solve
 from asperity.types import Array, Tree
@@ -19,6 +19,9 @@ from asperity.types import Array, Tree
 #: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
 SETTLED = 1e-9
 _ROUNDS = 20
+#: Steps to a root between two ends; changes relative to 1 and the root at which it is found, by Newton, whose next one
+#: would be its square, and by halving [-].
+_MOST_STEPS, _SMALL_STEP, _RESOLVED = 120, 1e-8, 1e-15
 
 
 def implicit_root(
@@ -136,6 +139,45 @@ def _known_once(linear: Callable[[Tree], Tree]) -> Callable[[Tree], Tree]:
         return known[key]
 
     return of_direction
+
+
+def elementwise_root(
+    function: Callable[[Tree, Array], Array], numbers: Tree, lower: Array, upper: Array, start: Array
+) -> Array:
+    """Root between two ends of a function that rises there, number by number, with its implicit derivative.
+
+    The function is of a module of numbers, which may be differentiated, and of the unknowns. Newton's steps from the
+    start, halved intervals where they leave the one that is known to hold the root. An end stands for a root beyond it.
+    """
+    fixed = without_slopes(numbers)
+    found = _between(functools.partial(function, fixed), *without_slopes((lower, upper, start)))
+    return implicit_root(functools.partial(function, numbers), found, lambda _, known: known, _divided)
+
+
+def _between(function: Callable[[Array], Array], lower: Array, upper: Array, start: Array) -> Array:
+    """The root of each number between its ends."""
+
+    def unfinished(state: tuple[Array, ...]) -> Array:
+        rounds, _, _, _, step = state
+        return (rounds < _MOST_STEPS) & xp.any(step > 0.0)
+
+    def improved(state: tuple[Array, ...]) -> tuple[Array, ...]:
+        rounds, low, high, x, before = state
+        value, slope = value_and_slope(function, (x,), (xp.ones_like(x),))
+        low, high = xp.where(value < 0.0, x, low), xp.where(value < 0.0, high, x)
+        newton = x - value / xp.where(slope == 0.0, 1.0, slope)
+        inside = (newton >= low) & (newton <= high) & (slope > 0.0) & (abs(newton - x) <= 0.5 * before)
+        better = xp.where(before == 0.0, x, xp.where(inside, newton, 0.5 * (low + high)))
+        step = abs(better - x)
+        small = step <= xp.where(inside, _SMALL_STEP, _RESOLVED) * (1.0 + abs(better))
+        return rounds + 1, low, high, better, xp.where(small, 0.0, step)
+
+    return while_loop(unfinished, improved, (xp.asarray(0), lower, upper, start, 2.0 * (upper - lower)))[3]
+
+
+def _divided(linear: Callable[[Array], Array], right: Array) -> Array:
+    """The x for which a linear function, number by number, is another array."""
+    return right / linear(xp.ones_like(right))
 
 
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:

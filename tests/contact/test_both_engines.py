@@ -4,10 +4,12 @@ import inspect
 
 import numpy as np
 from both_engines import Engines, Formula, rows
+from traction_contacts import oiled_contact, same_layer
 
 from asperity.contact import (
     asperity,
     carter,
+    creep_law,
     creep_layer,
     crowned_line,
     crowned_shear,
@@ -17,6 +19,7 @@ from asperity.contact import (
     fractal,
     hertz_line,
     interface,
+    load_sharing,
     persson_2007,
     population,
     roller_pairs,
@@ -203,6 +206,35 @@ def mises_stress(numbers):
     return subsurface_stress.mises_stress(stress=stress, poisson_ratio=numbers["poisson_ratio"])
 
 
+def oiled_numbers(oil):
+    """Three contacts with an oil, their dry factors of creepage, and tractions of which one is beyond the capacity."""
+    oiled = oiled_contact(oil, 50.0, np.array([0.02, 0.4, 4.0]), 2e-7)
+    return {
+        "contact": oiled.contact,
+        "inlet": oiled.inlet,
+        "layer_factor": oiled.layer_factor,
+        "share": np.array([-0.3, 0.9, 1.4]),
+    }
+
+
+def creep_of_oiled_contacts(contact, inlet, layer_factor, share):
+    shares = load_sharing.shared_load(
+        inlet=inlet,
+        decay_length=1e-7 * layer_factor,
+        rms_height=2e-7 * layer_factor,
+        half_width=contact.half_width,
+        mean_pressure=0.8 * contact.peak_pressure,
+    )
+    capacity = creep_law.traction_capacity(contact=contact, layer_factor=layer_factor)
+    creepage = creep_law.creepage_at_traction(
+        contact=contact,
+        traction=share * capacity.traction,
+        layer=same_layer(layer_factor),
+        capacity=capacity,
+    )
+    return {"shares": shares, "capacity": capacity.traction, "creepage": creepage}
+
+
 def entry(function, *borders, own=None, **fixed):
     """A formula by its name: its numbers from the ranges, or from its own ones, and rows at its borders."""
     names = getattr(function, "takes", None)
@@ -355,6 +387,7 @@ FORMULAS = dict(
             rms_height=3e-7,
             rms_slope=VARIANCE[-1] ** 0.5,
         ),
+        *(arrays(creep_of_oiled_contacts, **oiled_numbers(oil)) for oil in ("M100",)),
         arrays(tilted_line.logarithmic_drop, even_half_width=1e-4, contact_length=10e-3),
         arrays(
             tilted_line.profiled_line,

@@ -1,10 +1,17 @@
-"""Film thickness: the theory of Ertel and Grubin, two later fits, dimensional scaling."""
+"""Film thickness: the theory of Ertel and Grubin, later fits, rigid rollers, dimensional scaling."""
 
 import math
 
 import pytest
 
-from asperity.contact.film_thickness import film_ratio, minimum_film_thickness
+from asperity.contact.film_thickness import (
+    FilmInlet,
+    central_film_by,
+    central_film_thickness,
+    film_ratio,
+    inlet_heat_factor,
+    minimum_film_thickness,
+)
 
 MODULUS, RADIUS = 206e9 / (2 * (1 - 0.3**2)), 20e-3 / 3
 ROLLERS = {
@@ -48,3 +55,41 @@ def test_exponents():
 def test_film_over_roughness():
     rough = math.hypot(0.15e-6, 0.2e-6)
     assert float(film_ratio(film_thickness=0.5e-6, roughness=rough)) == pytest.approx(2.0, rel=1e-12)
+
+
+def inlet(**changes):
+    given = {"viscosity": 0.0305, "pressure_coefficient": 2.918e-8, "rolling_speed": 1.0, "line_load": 2e5}
+    return FilmInlet(**(given | {"effective_radius": RADIUS, "contact_modulus": MODULUS} | changes))
+
+
+@pytest.mark.parametrize(
+    ("law", "thickness"), [("moes", 0.2954e-6), ("dowson_toyoda", 0.2867e-6), ("pan_hamrock", 0.2129e-6)]
+)
+def test_central_films_by_three_laws(law, thickness):
+    """By computations of their own; Dowson and Toyoda as read in their source."""
+    assert float(central_film_by(law=law, inlet=inlet())) == pytest.approx(thickness, rel=3e-4)
+
+
+def test_a_film_without_load_is_that_of_rigid_rollers():
+    """Reynolds's equation between rigid cylinders of an oil of constant viscosity: h = 6 eta V R/w."""
+    light = inlet(line_load=1.0, pressure_coefficient=1e-12)
+    assert float(central_film_thickness(inlet=light)) == pytest.approx(6.0 * 0.0305 * RADIUS, rel=1e-3)
+    shared = inlet(pressure_coefficient=1e-12)
+    assert float(central_film_thickness(inlet=shared, film_share=1e-9)) == pytest.approx(
+        6.0 * 0.0305 * RADIUS / (1e-9 * 2e5), rel=1e-3
+    )
+
+
+@pytest.mark.parametrize(("speed", "factor"), [(2.0, 0.960), (16.0, 0.662)])
+def test_heat_at_the_inlet(speed, factor):
+    """M100 at 60 °C, R 20 mm, 1 GPa, a slide-roll ratio of 0.02; by a computation of its own."""
+    found = inlet_heat_factor(
+        peak_pressure=1e9,
+        contact_modulus=MODULUS,
+        viscosity=0.03133,
+        viscosity_fall=890.0 / (333.15 - 182.0) ** 2,
+        conductivity=0.14,
+        rolling_speed=speed,
+        slide_roll_ratio=0.02,
+    )
+    assert float(found) == pytest.approx(factor, abs=6e-4)

@@ -42,6 +42,8 @@ CASES = {
             "arctanh",
             "square",
             "erf",
+            "erfc",
+            "arcsinh",
         ]
     },
     **{name: [("+m", lambda m, x, name=name: getattr(m, name)(x))] for name in ("sqrt", "log", "gamma")},
@@ -55,6 +57,7 @@ CASES = {
         ("v", lambda m, x: 2.0**x),
         ("v", lambda m, x: m.power(np.array([0.5, 3.0, 7.0]), x)),
     ],
+    "logaddexp": [("m v", lambda m, x, y: m.logaddexp(x, y)), ("v", lambda m, x: m.logaddexp(0.0, x))],
     "hypot": [("m v", lambda m, x, y: m.hypot(x, y)), ("v", lambda m, x: m.hypot(2.0, x))],
     "arctan2": [("m v", lambda m, x, y: m.arctan2(x, y)), ("v", lambda m, x: m.arctan2(x, -0.5))],
     "maximum": [("m v", lambda m, x, y: m.maximum(x, y)), ("m", lambda m, x: m.maximum(0.1, x))],

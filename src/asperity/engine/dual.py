@@ -307,9 +307,11 @@ _OF_ONE: dict[str, Callable[[Number, Number], Number]] = {
     "arccos": lambda value, x: -1.0 / xp.sqrt(1.0 - x * x),
     "arctan": lambda value, x: 1.0 / (1.0 + x * x),
     "tanh": lambda value, x: 1.0 - value * value,
+    "arcsinh": lambda value, x: 1.0 / xp.sqrt(1.0 + x * x),
     "arctanh": lambda value, x: 1.0 / (1.0 - x * x),
     "square": lambda value, x: 2.0 * x,
     "erf": lambda value, x: 2.0 / math.sqrt(math.pi) * xp.exp(-x * x),
+    "erfc": lambda value, x: -2.0 / math.sqrt(math.pi) * xp.exp(-x * x),
     "gamma": lambda value, x: value * special.digamma(x),
     "digamma": lambda value, x: special.polygamma(1, _constant(x)),
 }
@@ -320,6 +322,7 @@ _OF_TWO: dict[str, tuple[Callable[..., Number], Callable[..., Number]]] = {
     "arctan2": (lambda v, y, x: x / (x * x + y * y), lambda v, y, x: -y / (x * x + y * y)),
     "maximum": (lambda v, x, y: _share(x, y), lambda v, x, y: _share(y, x)),
     "minimum": (lambda v, x, y: _share(y, x), lambda v, x, y: _share(x, y)),
+    "logaddexp": (lambda v, x, y: xp.exp(x - v), lambda v, x, y: xp.exp(y - v)),
     "mod": (lambda v, x, y: 1.0, lambda v, x, y: -xp.floor(plain(x) / plain(y))),
 }
 #: Functions that are linear in the arrays of their first argument, which may be a list of them.
@@ -380,7 +383,7 @@ def _plain_inside(argument: Number) -> Number:
 
 
 def _of_one(name: str, x: Dual) -> Dual:
-    value = getattr(special if name in ("erf", "gamma", "digamma") else xp, name)(x.value)
+    value = getattr(special if name in ("erf", "erfc", "gamma", "digamma") else xp, name)(x.value)
     slope = _OF_ONE[name](value, x.value)
     return Dual(value, [None if along is None else slope * along for along in x.slopes], x.level)
 

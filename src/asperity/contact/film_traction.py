@@ -1,0 +1,189 @@
+"""Shear stress of asperities and oil film in a contact that slips evenly, and the heat that softens the film."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from asperity.contact.fluid import Film, Fluid
+from asperity.engine.arrays import xp
+from asperity.engine.module import Module
+from asperity.implicit import elementwise_root
+from asperity.types import Array, Real
+
+_NODES, _GAUSS = np.polynomial.legendre.leggauss(16)
+#: Angles phi of the places x = a sin(phi) on half of the width, and weights of both halves over the half-width.
+_ANGLES = 0.25 * math.pi * (1.0 + _NODES)
+PLACES = np.sin(_ANGLES)
+WEIGHTS = 0.5 * math.pi * _GAUSS * np.cos(_ANGLES)
+#: Pressure there over its peak.
+SHAPE = np.cos(_ANGLES)
+
+#: Warming of a film up to which its temperature is sought [K].
+MOST_WARMING = 1000.0
+
+#: Share of the sources' mean rise in the largest, and of the film's own in its middle, in the mean temperature.
+_SURFACE_SHARE, _FILM_SHARE = 2.0 / 3.0, 1.0 / 12.0
+
+
+class BoundaryFriction(Module):
+    r"""Friction coefficient of the asperities over the speed at which they slip.
+
+    .. math:: \mu_b(v) = \mu_0 + \sum_i \frac{\mu_i - \mu_{i-1}}{\ln v_i - \ln v_{i-1}}
+              \operatorname{clip}(\ln v - \ln v_{i-1};\, 0,\, \ln v_i - \ln v_{i-1})
+
+    Parameters
+    ----------
+    coefficient : Real
+        mu_0 at the first speed and below, shape (contacts, ...) or () [-].
+    speeds, coefficients : tuple of Real, optional
+        Speeds v_0, v_1, ... in rising order [m/s] and coefficients there [-], the first one ``coefficient``; between
+        them the coefficient goes with the logarithm of the speed, and beyond them it stays. Empty for a constant.
+    """
+
+    coefficient: Real
+    speeds: tuple[Real, ...] = ()
+    coefficients: tuple[Real, ...] = ()
+
+    def at(self, slip_speed: Real) -> tuple[Array, Array]:
+        """Coefficient at slip speeds [m/s], and its slope over their logarithm [-]."""
+        speed = xp.log(xp.asarray(slip_speed))
+        coefficient: Array = xp.asarray(self.coefficient) + 0.0 * speed
+        slope = 0.0 * coefficient
+        ends = [xp.log(xp.asarray(end)) for end in self.speeds]
+        for (low, high), (first, last) in zip(
+            itertools.pairwise(ends), itertools.pairwise(self.coefficients), strict=True
+        ):
+            steep = (last - first) / (high - low)
+            coefficient = coefficient + steep * xp.clip(speed - low, 0.0, high - low)
+            slope = slope + xp.where((speed >= low) & (speed < high), steep, 0.0)
+        return coefficient, slope
+
+
+class MixedContact(Module):
+    r"""A rolling line contact with asperities and film under its load. SI units, shape (contacts, ...).
+
+    Parameters
+    ----------
+    fluid : Fluid
+        The oil.
+    friction : BoundaryFriction
+        Of the asperities.
+    asperity_share, film_share : Array
+        Shares of the load [-].
+    film_thickness : Array
+        Central thickness of the film [m].
+    half_width, peak_pressure, contact_length, contact_modulus : Real
+        a [m], p_0 [Pa], B [m] and E* [Pa].
+    rolling_speed : Real
+        Mean speed V > 0 of the surfaces relative to the contact [m/s].
+    oil_temperature : Real
+        At the inlet [K].
+    effusivity : Real
+        :math:`\sqrt{k \rho c}` of the bodies, their mean [W s^0.5/(m^2 K)]; infinite to leave out the heat of the
+        surfaces.
+    """
+
+    fluid: Fluid
+    friction: BoundaryFriction
+    asperity_share: Array
+    film_share: Array
+    film_thickness: Array
+    half_width: Real
+    peak_pressure: Real
+    contact_length: Real
+    contact_modulus: Real
+    rolling_speed: Real
+    oil_temperature: Real
+    effusivity: Real
+
+
+class EvenSlip(NamedTuple):
+    """Traction of a contact whose bodies were rigid: slip is the same everywhere.
+
+    ``stress``: at the places of half of the width, shape (places, contacts, ...) [Pa]; ``force`` [N]; ``exponent``,
+    slope of its logarithm over that of the slip at one temperature [-]; ``heated``: warming of the film by it [K].
+    """
+
+    stress: Array
+    force: Array
+    exponent: Array
+    heated: Array
+
+
+def even_slip(*, contact: MixedContact, creepage: Array) -> EvenSlip:
+    r"""Traction of a contact between rigid bodies at a creepage.
+
+    .. math::
+        \tau(x) = \mu_b(\xi V)\,A\,p(x) + \tau_f(x), \qquad T_0 = B \int_{-a}^{a} \tau\,dx, \qquad
+        \Delta T = \frac{\xi V T_0}{2 a B}\left[\frac23 \frac{\sqrt{2a/\pi V}}{\sqrt{k\rho c}}
+        + \frac{h}{12 k_f}\right]
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact.
+    creepage : Array
+        xi, positive, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    EvenSlip
+        At the temperature of the film that its heat makes: the heat falls with the temperature, so that there is one.
+
+    References
+    ----------
+    Equation (F4) of :doc:`/equations`.
+    """
+    nothing = xp.zeros_like(creepage * contact.film_thickness)
+    ends = nothing, nothing + MOST_WARMING
+    warming = elementwise_root(_warmer_than_heated, (contact, creepage), *ends, nothing)
+    return slip_at_warming(contact=contact, creepage=creepage, warming=warming)
+
+
+def _warmer_than_heated(given: tuple[MixedContact, Array], warming: Array) -> Array:
+    """By how much a warming of the film exceeds that of its heat [K]."""
+    contact, creepage = given
+    return warming - slip_at_warming(contact=contact, creepage=creepage, warming=warming).heated
+
+
+def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -> EvenSlip:
+    """As :func:`even_slip`, with a given warming of the film [K]."""
+    slip = creepage * contact.rolling_speed
+    carries = contact.film_share > 0.0
+    peak = xp.asarray(xp.where(carries, contact.film_share, 1.0) * contact.peak_pressure)
+    film = Film(
+        pressure=xp.asarray(_along(SHAPE, peak) * peak),
+        peak_pressure=peak,
+        thickness=contact.film_thickness,
+        slip_speed=slip,
+        temperature=contact.oil_temperature + warming,
+    )
+    film_stress, film_slope = contact.fluid.traction.stress(contact.fluid.viscosity, film)
+    coefficient, friction_slope = contact.friction.at(slip)
+    film_stress = xp.where(carries, film_stress, 0.0)
+    pressure = _along(SHAPE, peak) * (contact.asperity_share * contact.peak_pressure)
+    stress = coefficient * pressure + film_stress
+    force = width_integral(contact, stress)
+    rise = width_integral(contact, friction_slope * pressure + film_slope * film_stress)
+    heat = slip * force / (2.0 * contact.half_width * contact.contact_length)
+    return EvenSlip(stress, force, rise / force, _resistance_to_heat(contact) * heat)
+
+
+def width_integral(contact: MixedContact, stress: Array) -> Array:
+    r"""Force of a stress at the places of half of the width, :math:`B \int \tau\,dx` [N]."""
+    return contact.contact_length * contact.half_width * (_along(WEIGHTS, stress[0]) * stress).sum(axis=0)
+
+
+def _along(values: np.ndarray, of: Array) -> np.ndarray:
+    """Numbers of the places before the axes of an array."""
+    return values.reshape(-1, *(1 for _ in xp.shape(of)))
+
+
+def _resistance_to_heat(contact: MixedContact) -> Array:
+    """Mean warming of the film over the heat per area [m^2 K/W]."""
+    surface = xp.sqrt(2.0 * contact.half_width / (math.pi * contact.rolling_speed)) / contact.effusivity
+    return _SURFACE_SHARE * surface + _FILM_SHARE * contact.film_thickness / contact.fluid.conductivity

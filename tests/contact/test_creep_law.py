@@ -1,0 +1,403 @@
+"""Creep of lubricated contacts: a table of an independent computation, exact limits, bounds, slopes by differences."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from traction_contacts import (
+    HALF_WIDTH,
+    LENGTH,
+    LOAD,
+    MODULUS,
+    OILS,
+    PEAK,
+    RADIUS,
+    dry_contact,
+    oiled_contact,
+    same_layer,
+)
+
+from asperity.contact import carter
+from asperity.contact.creep_law import (
+    creepage_at_traction,
+    elastic_layers_factor,
+    traction_at_creepage,
+    traction_capacity,
+)
+from asperity.contact.film_traction import BoundaryFriction, even_slip
+from asperity.contact.fluid import DataSheetTraction, Fluid, LimitingTraction, RheologicalTraction, film_slope
+from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
+from asperity.engine.derivatives import value_and_slope
+
+CREEPAGES = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
+#: oil, °C, m/s, heights [µm]; film without asperities [µm], share, film [µm], factor of layers, T/N at the creepages,
+#: capacity over the load. Friction of asperities 0.12, G 0.5 GPa; by a prototype that shares no code with this one.
+TABLE = [
+    (
+        "M100",
+        25,
+        1.0,
+        0.1,
+        0.8122,
+        0.0,
+        0.8122,
+        2.1791,
+        (0.00417, 0.01157, 0.02878, 0.03840, 0.04270),
+        0.04409,
+    ),
+    (
+        "M100",
+        40,
+        1.0,
+        0.1,
+        0.4312,
+        5e-5,
+        0.4312,
+        1.6252,
+        (0.00456, 0.01203, 0.02414, 0.03262, 0.03909),
+        0.04164,
+    ),
+    (
+        "M100",
+        60,
+        1.0,
+        0.1,
+        0.2197,
+        0.00406,
+        0.2198,
+        1.3036,
+        (0.00317, 0.00761, 0.01526, 0.02311, 0.03167),
+        0.03612,
+    ),
+    (
+        "M100",
+        60,
+        0.05,
+        0.1,
+        0.0273,
+        0.4428,
+        0.0304,
+        1.0317,
+        (0.01003, 0.02693, 0.05318, 0.05360, 0.05479),
+        0.05627,
+    ),
+    (
+        "M100",
+        60,
+        0.005,
+        0.1,
+        0.0055,
+        0.94691,
+        0.0166,
+        1.0235,
+        (0.01039, 0.02967, 0.08148, 0.11363, 0.11363),
+        0.11363,
+    ),
+    (
+        "M100",
+        100,
+        0.05,
+        0.1,
+        0.0105,
+        0.83392,
+        0.0185,
+        1.0240,
+        (0.01035, 0.02936, 0.07808, 0.10007, 0.10007),
+        0.10008,
+    ),
+    (
+        "N100",
+        40,
+        1.0,
+        0.1,
+        0.4886,
+        1e-5,
+        0.4886,
+        1.7090,
+        (0.00604, 0.01687, 0.04220, 0.05010, 0.05126),
+        0.05168,
+    ),
+    (
+        "PAO100",
+        40,
+        1.0,
+        0.1,
+        0.3729,
+        0.00017,
+        0.3729,
+        1.5394,
+        (0.00040, 0.00115, 0.00352, 0.00806, 0.01513),
+        0.01970,
+    ),
+    (
+        "S50",
+        40,
+        1.0,
+        0.1,
+        0.2866,
+        0.001,
+        0.2866,
+        1.4092,
+        (0.00746, 0.02183, 0.06235, 0.10418, 0.10562),
+        0.10584,
+    ),
+    (
+        "S50",
+        80,
+        3.0,
+        0.2,
+        0.1876,
+        0.12524,
+        0.1901,
+        1.1713,
+        (0.00813, 0.02318, 0.06389, 0.09372, 0.10053),
+        0.10274,
+    ),
+    (
+        "S50",
+        40,
+        0.05,
+        0.2,
+        0.0351,
+        0.90719,
+        0.0597,
+        1.0490,
+        (0.01013, 0.02891, 0.07905, 0.10886, 0.10887),
+        0.10887,
+    ),
+]
+
+
+def traction(oiled, creepage):
+    """T/N at creepages [-]."""
+    found = traction_at_creepage(
+        contact=oiled.contact, creepage=np.atleast_1d(creepage), layer_factor=oiled.layer_factor
+    )
+    return found.traction / LOAD
+
+
+def capacity(oiled):
+    return traction_capacity(contact=oiled.contact, layer_factor=oiled.layer_factor)
+
+
+@pytest.mark.parametrize(
+    ("oil", "celsius", "speed", "height", "full", "share", "film", "factor", "tractions", "most"), TABLE
+)
+def test_table_of_a_prototype(oil, celsius, speed, height, full, share, film, factor, tractions, most):
+    """The numbers to the last digit that the table has."""
+    oiled = oiled_contact(oil, celsius, speed, 1e-6 * height)
+    contact = oiled.contact
+    assert 1e6 * oiled.full_film == pytest.approx(full, abs=1.1e-4)
+    assert contact.asperity_share == pytest.approx(share, abs=1.1e-5)
+    assert 1e6 * contact.film_thickness == pytest.approx(film, abs=1.1e-4)
+    assert elastic_layers_factor(contact=contact, layer_factor=oiled.layer_factor) == pytest.approx(
+        factor, abs=1.1e-4
+    )
+    assert [float(traction(oiled, xi)[0]) for xi in CREEPAGES] == pytest.approx(tractions, abs=1.1e-5)
+    assert capacity(oiled).traction / LOAD == pytest.approx(most, abs=1.1e-5)
+
+
+def test_dry_contact_is_carters():
+    oiled = dry_contact()
+    gross = carter.gross_slip_creepage(
+        friction_coefficient=0.12, half_width=HALF_WIDTH, effective_radius=RADIUS
+    )
+    creepages = np.array([1e-5, 1e-3, 0.5, 0.9]) * gross * oiled.layer_factor
+    expected = carter.slip_ratio_at_creepage(
+        creepage=creepages, gross_slip_creepage=gross * oiled.layer_factor
+    )
+    assert [float(traction(oiled, xi)[0]) for xi in creepages] == pytest.approx(0.12 * expected, rel=2e-15)
+    assert traction(oiled, 2.0 * gross * oiled.layer_factor) == pytest.approx(0.12, rel=1e-14)
+
+
+def film_of(law, thickness, *, base=1.0, limit=1.0, modulus=1e30):
+    """A contact that a film of constant viscosity carries alone, without heat."""
+    oiled = oiled_contact("M100", 60.0, 1.0, 1e-7, rough=False)
+    oil = Viscosity(ExponentialViscosity(base, 0.0, 0.0), RationalPressureRise(1e30, 0.0, 0.0, 0.0))
+    fluid = Fluid(oil, RheologicalTraction(LimitingTraction(limit), modulus, law), 1e30)
+    return oiled._replace(
+        contact=dataclasses.replace(
+            oiled.contact, fluid=fluid, film_thickness=np.array([thickness]), effusivity=np.inf
+        )
+    )
+
+
+@pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
+def test_even_linear_film_has_the_closed_form(ratio):
+    """tau = eta V s/h everywhere: T = a E* B xi arctan(b), b = 2 eta V/(h E*)."""
+    oiled = film_of("limit", 1e-7, base=0.5 * ratio * 1e-7 * MODULUS, limit=1e9)
+    expected = HALF_WIDTH * MODULUS * LENGTH * 1e-3 * math.atan(ratio)
+    assert LOAD * float(traction(oiled, 1e-3)[0]) == pytest.approx(expected, rel=1e-9)
+
+
+def test_elastic_plastic_film_is_carter_with_its_limit():
+    """A film that is stiff up to Lambda p: Carter with Lambda in place of mu, stretched by f = 1 + pi E* h/(4 a G)."""
+    oiled = film_of("limit", 1e-7, base=1e12, limit=0.09, modulus=0.5e9)
+    stretched = 1.0 + 0.25 * math.pi * MODULUS * 1e-7 / (HALF_WIDTH * 0.5e9)
+    gross = stretched * 0.09 * HALF_WIDTH / RADIUS
+    for share in (0.2, 0.6, 0.95):
+        expected = 0.09 * (1.0 - (1.0 - share) ** 2)
+        assert float(traction(oiled, share * gross)[0]) == pytest.approx(expected, rel=1e-9)
+
+
+def test_data_sheet_of_a_traction_fluid():
+    """Slope 55 at 1.5 GPa: 203 of the film; Lambda 0.09 gives f 1.5363, and the creepages of an independent route."""
+    slope = film_slope(slope=55.0, rig_modulus=MODULUS, rig_peak_pressure=1.5e9)
+    assert slope == pytest.approx(203.0, abs=0.2)
+    slope = 203.0  # as the other route rounded it
+    oiled = oiled_contact("S50", 40.0, 1.0, 1e-7, rough=False)
+    fluid = Fluid(OILS["S50"].viscosity, DataSheetTraction(0.09, slope), 0.104)
+    contact = dataclasses.replace(oiled.contact, fluid=fluid)
+    most = traction_capacity(contact=contact, layer_factor=oiled.layer_factor)
+    assert most.traction / LOAD == pytest.approx(0.09, rel=1e-12)
+    assert elastic_layers_factor(contact=contact, layer_factor=oiled.layer_factor) == pytest.approx(
+        1.5363, abs=1e-4
+    )
+    for share, creepage in ((0.0225, 3.403e-4), (0.045, 7.440e-4), (0.0855, 1.972e-3)):
+        found = creepage_at_traction(
+            contact=contact,
+            traction=np.array([share * LOAD]),
+            layer=same_layer(oiled.layer_factor),
+            capacity=most,
+        )
+        assert found == pytest.approx(creepage, rel=4e-4)
+
+
+def test_rigid_bodies_carry_the_even_slip_traction():
+    oiled = oiled_contact("PAO100", 60.0, 1.0, 1e-9, load=1e-3)
+    slides = even_slip(contact=oiled.contact, creepage=np.array([1e-2]))
+    found = traction_at_creepage(
+        contact=oiled.contact, creepage=np.array([1e-2]), layer_factor=oiled.layer_factor
+    )
+    assert found.traction == pytest.approx(slides.force, rel=1e-3)
+
+
+def test_at_the_lowest_speed_it_is_the_dry_contact():
+    slow, dry = oiled_contact("M100", 60.0, 1e-9, 1e-7), dry_contact()
+    for creepage in (1e-4, 1e-3, 5e-3):
+        assert traction(slow, creepage) == pytest.approx(traction(dry, creepage), rel=3e-7)
+
+
+def test_little_creepage_is_carters_stick_over_the_layers():
+    """xi → 0 with asperities: T = pi a E* B xi/(2 f)."""
+    oiled = oiled_contact("S50", 40.0, 0.05, 2e-7)
+    factor = elastic_layers_factor(contact=oiled.contact, layer_factor=oiled.layer_factor)
+    stick = 0.5 * math.pi * HALF_WIDTH * MODULUS * LENGTH * 1e-9 / factor / LOAD
+    assert traction(oiled, 1e-9) == pytest.approx(stick, rel=2e-5)
+
+
+def test_orderings():
+    at = {oil: traction(oiled_contact(oil, 60.0, 1.0, 1e-7), 1e-3)[0] for oil in OILS}
+    assert at["S50"] > at["N100"] > at["M100"] > at["PAO100"]
+    loads = [
+        math.pi * (pressure * 1e9) ** 2 * LENGTH * RADIUS / MODULUS for pressure in (0.4, 0.8, 1.2, 1.6, 2.0)
+    ]
+    found = [
+        float(
+            traction_at_creepage(
+                contact=oiled.contact, creepage=np.array([1e-3]), layer_factor=oiled.layer_factor
+            ).traction[0]
+            / load
+        )
+        for load in loads
+        for oiled in [oiled_contact("M100", 60.0, 1.0, 1e-7, load=load)]
+    ]
+    assert found == pytest.approx([0.0013, 0.0058, 0.0207, 0.0297, 0.0319], abs=6e-5)
+
+
+def random_contacts(count, seed=5):
+    """Contacts of all oils but one law at random loads, speeds, temperatures and roughness, one oil after the other."""
+    random = np.random.default_rng(seed)
+    for number, oil in enumerate(OILS):
+        shape = count // len(OILS)
+        load, speed, height = (
+            np.exp(random.uniform(np.log(low), np.log(high), shape))
+            for low, high in ((100.0, 6000.0), (1e-3, 20.0), (2e-8, 8e-7))
+        )
+        yield oiled_contact(oil, (25.0, 40.0, 60.0, 90.0)[number], speed, height, load=load)
+
+
+def test_bounds_and_inverse_in_random_states():
+    """Not above the stick line, rigid bodies, or what friction and limit allow; and back from traction to creepage."""
+    random = np.random.default_rng(6)
+    for oiled in random_contacts(4000):
+        contact, dry = oiled.contact, oiled.layer_factor
+        creepage = np.exp(random.uniform(np.log(1e-6), np.log(2e-2), dry.shape))
+        found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=dry)
+        stick = 0.5 * math.pi * contact.half_width * MODULUS * LENGTH * creepage / found.elastic_factor
+        load = 0.5 * math.pi * contact.half_width * contact.peak_pressure * LENGTH
+        limit = contact.fluid.traction.limiting_traction.at(
+            contact.film_share * contact.peak_pressure, contact.oil_temperature
+        )
+        # no stress of the film above its limit under the peak
+        most = 0.12 * contact.asperity_share * load + limit * 2.0 * contact.half_width * LENGTH
+        assert np.all(found.traction <= stick * (1.0 + 1e-12))
+        assert np.all(found.traction <= found.even * (1.0 + 1e-12))
+        assert np.all(found.traction <= most * (1.0 + 1e-12))
+        largest = traction_capacity(contact=contact, layer_factor=dry)
+        assert np.all(found.traction <= largest.traction * (1.0 + 1e-6))
+        below = (creepage < largest.creepage) & (found.traction < 0.998 * largest.traction)
+        back = creepage_at_traction(
+            contact=contact, traction=found.traction, layer=same_layer(dry), capacity=largest
+        )
+        assert back[below] == pytest.approx(creepage[below], rel=1e-7)
+
+
+def test_slopes_are_those_of_differences():
+    oiled = oiled_contact("M100", 60.0, 0.3, 1e-7)
+    most = capacity(oiled)
+    force = 0.5 * most.traction
+
+    def creepage(traction, width):
+        contact = dataclasses.replace(oiled.contact, half_width=width)
+        return creepage_at_traction(
+            contact=contact, traction=traction, layer=same_layer(oiled.layer_factor), capacity=most
+        )
+
+    width = oiled.contact.half_width
+    for along, step in ((np.array([1.0]), 0.0), (np.array([0.0]), 1.0)):
+        _, slope = value_and_slope(creepage, (force, width), (along * force, step * width))
+        ends = [
+            creepage(force * (1.0 + sign * 1e-5 * along), width * (1.0 + sign * 1e-5 * step))
+            for sign in (1, -1)
+        ]
+        assert slope == pytest.approx((ends[0] - ends[1]) / 2e-5, rel=1e-6)
+
+
+def test_creepage_is_odd_and_goes_on_beyond_the_capacity():
+    oiled = oiled_contact("M100", 60.0, 0.3, 1e-7)
+    most = capacity(oiled)
+
+    def creepage(share):
+        return float(
+            creepage_at_traction(
+                contact=oiled.contact,
+                traction=share * most.traction,
+                layer=same_layer(oiled.layer_factor),
+                capacity=most,
+            )[0]
+        )
+
+    assert creepage(-0.4) == -creepage(0.4)
+    assert creepage(0.0) == 0.0
+    assert creepage(1e-12) == pytest.approx(1e-3 * creepage(1e-9), rel=1e-6)
+    assert creepage(0.998) < creepage(0.999) < creepage(1.1) < creepage(2.0)
+
+
+def test_friction_over_the_slip_speed():
+    """0.12 up to 1 mm/s, 0.08 from 0.1 m/s on, with the logarithm between."""
+    law = BoundaryFriction(0.12, (1e-3, 1e-2, 1e-1), (0.12, 0.11, 0.08))
+    speeds = np.array([1e-5, 1e-3, 10**-2.5, 10**-1.5, 1.0])
+    found, slope = law.at(speeds)
+    assert found == pytest.approx([0.12, 0.12, 0.115, 0.095, 0.08], rel=1e-12)
+    decade = math.log(10.0)
+    assert slope == pytest.approx([0.0, -0.01 / decade, -0.01 / decade, -0.03 / decade, 0.0], rel=1e-12)
+
+
+def test_warming_of_the_film():
+    """M100 at 60 °C, creepage 0.01: 0.15, 0.82 and 4.68 K at 1, 5 and 20 m/s; by an independent computation."""
+    oiled = oiled_contact("M100", 60.0, [1.0, 5.0, 20.0], 1e-7)
+    slides = even_slip(contact=oiled.contact, creepage=np.full(3, 1e-2))
+    assert slides.heated == pytest.approx([0.15, 0.82, 4.68], abs=6e-3)
+    assert pytest.approx(PEAK, rel=1e-12) == float(oiled.contact.peak_pressure[0])
