@@ -71,7 +71,8 @@ def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_f
 def test_a_joint_without_crossed_limits_says_so(solution):
     kept = [limit | {"ok": True} for limit in solution.limits]
     other = type(solution)(solution._case, solution._solved, source="x", summary="x")
-    other.document = solution.document | {"diagnostics": kept}
+    sound = solution.document["verdict"] | {"works": True, "holds": True}
+    other.document = solution.document | {"diagnostics": kept, "verdict": sound}
     assert repr(other).endswith("No warnings: all limits are met.")
 
 

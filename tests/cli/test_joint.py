@@ -130,7 +130,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file, options):
         "Speed ratio -9",
         "Hertz pressure over first yield 2.035 at sp",
         "Asperities alone: outside the range of this law, real area over Hertz area",
-        *(further if options else ["Assumptions (in full, and every table, with --all)"]),
+        *(further if options else ["Assumptions (in full, with shares, springs and the drive, with --all)"]),
         "no section [bearings]" if options else "not in the file: section [bearings], ",
     ):
         assert text in told, text

@@ -79,7 +79,7 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
         ["1000", "13.5", "5e6"],
         ["1000", "13.6", "4.5e6"],
         ["800", "13.5", "4e6"],
-        ["800", "13.6", "-", "unbalanced"],
+        ["800", "13.6", "–", "unbalanced"],
     ]
 
 

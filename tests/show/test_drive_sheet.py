@@ -201,7 +201,7 @@ def test_words_of_a_drive_with_wedges(planar_case):
     stated = {"contact_length =": 'planet_length = "20 mm"\ncontact_length ='}
     joint = joint_from_case(planar_case("zou2025", replaced=stated))
     texts = joined(drive_sheet(joint, name="a").texts)
-    assert "Planetary traction drive" in texts
+    assert "Wedge traction drive" in texts
     assert "angle alpha, planet to loading roller, 13.925°; wedge angle beta 13.158°" in texts
     assert "length of planet 20" in texts
     assert "planet to ring 9" in texts

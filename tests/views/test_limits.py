@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from asperity.results import Limit, Result
+from asperity.results import RESULTS, Limit, Result
 from asperity.results.margins import Margin
 from asperity.results.margins import margins as judged
 from asperity.unit_table import Dimension
@@ -59,8 +59,11 @@ def test_what_is_not_met_stands_first_and_then_the_fullest():
 
 
 def test_residuals_of_the_equations_are_no_margins():
-    _, table = margins([margin("balance_residual", "", 1e-12, highest=1e-9)])
-    assert table.rows == []
+    """Neither of the force balance nor of the closure; a limit that they are beside stays."""
+    solved = replace(margin("", "", 1e-12, highest=1e-9), result=RESULTS["balance_residual"])
+    closed = replace(solved, result=RESULTS["closure_residual"])
+    _, table = margins([solved, margin("a", "", 0.5, highest=1.0), closed])
+    assert [row[0] for row in table.rows] == ["label of a"]
 
 
 def test_an_infinite_value_is_no_dash():
@@ -168,6 +171,15 @@ def test_the_range_of_the_published_law_is_no_warning(paper_view):
     }
     assert len(shown.items) == len(crossed)
     assert all(any(one.text.startswith(f"{label} ") for one in shown.items) for label in crossed)
+
+
+def test_what_is_not_checked_is_not_said_to_be_met():
+    kept = {"diagnostics": [entry("pressure", "sp", 0.5, ok=True)]}
+    for works, holds in ((None, True), (True, None), (None, None)):
+        said = warnings(kept | {"verdict": {"works": works, "holds": holds}})
+        assert said.text == "No warnings: no limit is crossed; what is not checked is said above."
+    said = warnings(kept | {"verdict": {"works": True, "holds": True}})
+    assert said.text == "No warnings: all limits are met."
 
 
 def test_a_warning_says_a_value_that_is_infinite_and_a_limit_that_is_not_judged():

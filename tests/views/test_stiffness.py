@@ -91,6 +91,7 @@ def limit(name, value, contact, **more):
         "value": value,
         "shown": f"{value}",
         "ok": False,
+        "known": True,
         "severity": "model",
         "remedy": "choose another law",
     }
@@ -104,8 +105,10 @@ def test_the_range_of_the_law_is_a_sentence_with_the_largest_values():
     )
     infinite = limit("spot", None, "pwr", infinite=True)
     assert "spot infinite" in law_range_words({"diagnostics": [*found, infinite]})
-    unknown = limit("heat", None, "sp", infinite=False)
-    assert "heat not known" in law_range_words({"diagnostics": [unknown]})
+    # what is not known is not outside the range
+    unknown = [limit(name, None, "pr", infinite=False, known=False) for name in ("area", "heat")]
+    assert law_range_words({"diagnostics": unknown}) == ""
+    assert law_range_words({"diagnostics": [*found, *unknown]}) == law_range_words({"diagnostics": found})
     kept = [entry | {"ok": True} for entry in found]
     damage = limit("yield", 2.0, "sp", severity="damage")
     assert law_range_words({"diagnostics": [*kept, damage]}) == ""
