@@ -72,7 +72,7 @@ def film_yield(contact: MixedContact) -> Array:
         peak_pressure=contact.peak_pressure,
         contact_modulus=contact.contact_modulus,
     )
-    return contact.fluid.traction.elastic_yield(body)
+    return contact.traction.elastic_yield(body)
 
 
 def elastic_layers_factor(*, contact: MixedContact, layer_factor: Array) -> Array:

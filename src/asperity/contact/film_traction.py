@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.contact.fluid import Film, Fluid
+from asperity.contact.fluid import Film, FilmTraction, Fluid
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.implicit import elementwise_root
@@ -100,6 +100,12 @@ class MixedContact(Module):
     oil_temperature: Real
     effusivity: Real
 
+    @property
+    def traction(self) -> FilmTraction:
+        """What the film does when it is sheared, which is known of the oil of such a contact."""
+        assert self.fluid.traction is not None
+        return self.fluid.traction
+
 
 class EvenSlip(NamedTuple):
     """Traction of a contact whose bodies were rigid: slip is the same everywhere.
@@ -162,7 +168,7 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
         slip_speed=slip,
         temperature=contact.oil_temperature + warming,
     )
-    film_stress, film_slope = contact.fluid.traction.stress(contact.fluid.viscosity, film)
+    film_stress, film_slope = contact.traction.stress(contact.fluid.viscosity, film)
     coefficient, friction_slope = contact.friction.at(slip)
     film_stress = xp.where(carries, film_stress, 0.0)
     pressure = _along(SHAPE, peak) * (contact.asperity_share * contact.peak_pressure)

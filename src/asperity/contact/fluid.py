@@ -177,14 +177,14 @@ class Fluid(Module):
     ----------
     viscosity : Viscosity
         Over pressure and temperature.
-    traction : FilmTraction
-        Shear stress of the film, and how it yields elastically.
+    traction : FilmTraction or None
+        Shear stress of the film, and how it yields elastically; None where nothing is known of it.
     conductivity : Real
         Thermal conductivity of the film [W/(m K)].
     """
 
     viscosity: Viscosity
-    traction: FilmTraction
+    traction: FilmTraction | None
     conductivity: Real
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from asperity.engine.module import Module
+from asperity.contact.creep_law import CREEP_LIMIT
+from asperity.contact.film_thickness import FilmLaw
+from asperity.contact.fluid import Fluid
+from asperity.engine.module import Module, static
 from asperity.types import Real
 
 
@@ -22,6 +25,35 @@ class DutyPoint(Module):
     output_torque: Real
     input_speed: Real
     share: Real
+
+
+class Lubricant(Module):
+    """The oil in the contacts of a joint. SI units.
+
+    Parameters
+    ----------
+    fluid : Fluid
+        What its film does.
+    temperature : Real
+        At the inlet of the contacts [K].
+    supply : Real
+        Share of the thickness of a flooded film that the supply of oil leaves [-].
+    creep_limit : Real
+        Largest creepage at which a traction counts as one that a contact carries [-].
+    friction_speeds, friction_coefficients : tuple of Real
+        Slip speeds in rising order [m/s] and friction coefficients of the asperities there [-]; empty where friction
+        is that of the joint at every speed.
+    film_law : FilmLaw
+        Law of the film that is shown beside Moes's, which carries the load.
+    """
+
+    fluid: Fluid
+    temperature: Real
+    supply: Real = 1.0
+    creep_limit: Real = CREEP_LIMIT
+    friction_speeds: tuple[Real, ...] = ()
+    friction_coefficients: tuple[Real, ...] = ()
+    film_law: FilmLaw = static(default="moes")
 
 
 class RollingConditions(Module):
@@ -45,6 +77,8 @@ class RollingConditions(Module):
     roughness : tuple of Real or None
         Root mean square of the heights of both surfaces of a contact together, one for all contacts, or one each [m];
         None if the ratio of the film to it is left out.
+    lubricant : Lubricant or None
+        The oil in the contacts, by what its film does; None where friction is as stated.
     """
 
     skew: tuple[Real, ...] | None
@@ -54,6 +88,7 @@ class RollingConditions(Module):
     reliability: Real
     duty: tuple[DutyPoint, ...]
     roughness: tuple[Real, ...] | None = None
+    lubricant: Lubricant | None = None
 
 
 #: Parallel axes, no hysteresis, no oil, 90 % survival, no duty: a joint whose description says nothing about rolling.
