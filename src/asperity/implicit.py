@@ -19,9 +19,10 @@ from asperity.types import Array, Tree
 #: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
 SETTLED = 1e-9
 _ROUNDS = 20
-#: Steps to a root between two ends; changes relative to 1 and the root at which it is found, by Newton, whose next one
-#: would be its square, and by halving [-].
-_MOST_STEPS, _SMALL_STEP, _RESOLVED = 120, 1e-8, 1e-15
+#: Change relative to 1 and the root after which Newton's next one, its square, is not taken [-].
+SMALL_STEP = 1e-8
+#: Steps to a root between two ends, and the relative width of an interval that is not halved any more [-].
+_MOST_STEPS, _RESOLVED = 120, 1e-15
 
 
 def implicit_root(
@@ -142,19 +143,29 @@ def _known_once(linear: Callable[[Tree], Tree]) -> Callable[[Tree], Tree]:
 
 
 def elementwise_root(
-    function: Callable[[Tree, Array], Array], numbers: Tree, lower: Array, upper: Array, start: Array
+    function: Callable[[Tree, Array], Array],
+    numbers: Tree,
+    lower: Array,
+    upper: Array,
+    start: Array,
+    *,
+    small_step: float = SMALL_STEP,
 ) -> Array:
     """Root between two ends of a function that rises there, number by number, with its implicit derivative.
 
     The function is of a module of numbers, which may be differentiated, and of the unknowns. Newton's steps from the
     start, halved intervals where they leave the one that is known to hold the root. An end stands for a root beyond it.
+    ``small_step``: change, relative to 1 and the root, after which the next one, its square, is not taken [-].
     """
     fixed = without_slopes(numbers)
-    found = _between(functools.partial(function, fixed), *without_slopes((lower, upper, start)))
+    low, high, first = without_slopes((lower, upper, start))
+    found = _between(functools.partial(function, fixed), low, high, first, small_step)
     return implicit_root(functools.partial(function, numbers), found, lambda _, known: known, _divided)
 
 
-def _between(function: Callable[[Array], Array], lower: Array, upper: Array, start: Array) -> Array:
+def _between(
+    function: Callable[[Array], Array], lower: Array, upper: Array, start: Array, small_step: float
+) -> Array:
     """The root of each number between its ends."""
 
     def unfinished(state: tuple[Array, ...]) -> Array:
@@ -169,7 +180,7 @@ def _between(function: Callable[[Array], Array], lower: Array, upper: Array, sta
         inside = (newton >= low) & (newton <= high) & (slope > 0.0) & (abs(newton - x) <= 0.5 * before)
         better = xp.where(before == 0.0, x, xp.where(inside, newton, 0.5 * (low + high)))
         step = abs(better - x)
-        small = step <= xp.where(inside, _SMALL_STEP, _RESOLVED) * (1.0 + abs(better))
+        small = step <= xp.where(inside, small_step, _RESOLVED) * (1.0 + abs(better))
         return rounds + 1, low, high, better, xp.where(small, 0.0, step)
 
     return while_loop(unfinished, improved, (xp.asarray(0), lower, upper, start, 2.0 * (upper - lower)))[3]

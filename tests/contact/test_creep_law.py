@@ -18,7 +18,7 @@ from traction_contacts import (
     same_layer,
 )
 
-from asperity.contact import carter
+from asperity.contact import carter, skew
 from asperity.contact.creep_law import (
     creepage_at_traction,
     elastic_layers_factor,
@@ -277,6 +277,51 @@ def test_at_the_lowest_speed_it_is_the_dry_contact():
     slow, dry = oiled_contact("M100", 60.0, 1e-9, 1e-7), dry_contact()
     for creepage in (1e-4, 1e-3, 5e-3):
         assert traction(slow, creepage) == pytest.approx(traction(dry, creepage), rel=3e-7)
+
+
+def test_dry_skewed_contact_is_that_of_skew():
+    """Both forces over friction by the law of dry skewed contacts."""
+    oiled, ratio = dry_contact(), 1.3
+    gross = 0.12 * HALF_WIDTH / RADIUS * oiled.layer_factor
+    for along, across in ((0.2, 0.3), (0.6, 0.5), (1.5, 0.4), (0.3, 2.0)):
+        contact = dataclasses.replace(
+            oiled.contact, lateral_creepage=across * gross, lateral_ratio=np.array([ratio])
+        )
+        found = traction_at_creepage(contact=contact, creepage=along * gross, layer_factor=oiled.layer_factor)
+        expected = skew.skewed_slip_ratios(
+            longitudinal_creepage=along * gross,
+            lateral_creepage=across * gross * ratio,
+            gross_slip_creepage=gross,
+            lateral_gross_slip_creepage=gross * ratio,
+        )
+        assert found.traction / LOAD == pytest.approx(0.12 * expected[0], rel=1e-12)
+        assert found.lateral / LOAD == pytest.approx(0.12 * expected[1], rel=1e-12)
+
+
+def test_slices_of_one_contact_are_the_contact():
+    """A third and two thirds of the length, of the same width, carry its traction under the same creepage."""
+    oiled = oiled_contact("M100", 60.0, 0.3, 1e-7)
+    shares = np.array([[1.0 / 3.0], [2.0 / 3.0]])
+    like = {
+        name: value + 0.0 * shares
+        for name, value in vars(oiled.contact).items()
+        if isinstance(value, np.ndarray)
+    }
+    sliced = dataclasses.replace(
+        oiled.contact,
+        **like,
+        friction=BoundaryFriction(0.12 + 0.0 * shares),
+        contact_length=shares * LENGTH,
+        sliced=True,
+    )
+    whole, both = capacity(oiled), traction_capacity(contact=sliced, layer_factor=oiled.layer_factor)
+    assert both.traction == pytest.approx(whole.traction, rel=1e-9)
+    layer = same_layer(oiled.layer_factor)
+    found = [
+        creepage_at_traction(contact=each, traction=0.7 * whole.traction, layer=layer, capacity=whole)
+        for each in (oiled.contact, sliced)
+    ]
+    assert found[1] == pytest.approx(found[0], rel=1e-9)
 
 
 def test_little_creepage_is_carters_stick_over_the_layers():

@@ -19,27 +19,27 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
-import numpy as np
-
-from asperity.contact.film_traction import EvenSlip, MixedContact, even_slip, slip_at_warming, width_integral
+from asperity.contact.film_traction import EvenSlip, MixedContact, even_slip, slip_at_warming, width_mean
 from asperity.contact.fluid import FilmBody
-from asperity.engine import trees
+from asperity.contact.skew import turn_exponent
 from asperity.engine.arrays import xp
-from asperity.engine.control import while_loop
-from asperity.engine.derivatives import value_and_slopes, without_slopes
-from asperity.implicit import implicit_root
+from asperity.engine.control import cond, while_loop
+from asperity.engine.derivatives import value_and_slope, value_and_slopes, with_rule, without_slopes
 from asperity.types import Array, Real
 
 #: Creepage up to which a contact is said to carry its traction [-].
 CREEP_LIMIT = 0.02
 
-#: Creepages at which the largest traction is looked for, from this share of the limit on, and how often anew around it.
-_GRID, _ROUNDS, _LOWEST = 32, 2, 1e-4
+#: First step back from the creepage limit to the largest traction, and the last, as logarithms; share of the traction
+#: that may be missing.
+_FIRST_STEP, _FARTHEST, _AT_THE_TOP = 0.5, -10.0, 1e-7
 #: Share of the capacity above which the law is continued as a line, for iterates of a solver only.
 NEAR_CAPACITY = 0.999
+#: Share of the traction at the creepage limit below which the largest does not matter [-].
+_WELL_BELOW = 0.99
 #: Below this share of the capacity creepage is in proportion to the traction [-].
 _LEAST_SHARE = 1e-9
 #: Steps to a creepage, and the last change of its logarithm and of the film's warming [K], whose square is left.
@@ -54,11 +54,12 @@ LayerFactor = Callable[[Array], Array]
 class CreepingContact(NamedTuple):
     """Traction of contacts at a creepage, shape (contacts, ...).
 
-    ``traction`` [N]; ``even``: of rigid bodies [N]; ``elastic_factor``: of film and asperities as layers [-];
-    ``warming`` of the film [K].
+    ``traction`` [N], and ``lateral`` traction of skewed axes [N]; ``even``: of rigid bodies [N]; ``elastic_factor``: of
+    film and asperities as layers [-]; ``warming`` of the film [K].
     """
 
     traction: Array
+    lateral: Array
     even: Array
     elastic_factor: Array
     warming: Array
@@ -129,42 +130,70 @@ def traction_at_creepage(*, contact: MixedContact, creepage: Array, layer_factor
     ----------
     F. W. Carter, Proc. R. Soc. A 112 (1926) 151; equation (F5) of :doc:`/equations`.
     """
-    slides = even_slip(contact=contact, creepage=creepage)
+    size = slip_size(contact, creepage)
+    slides = even_slip(contact=contact, creepage=size)
     factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
-    return _between_bounds(contact, creepage, slides, factor)
+    along, across = _forces(contact, creepage, slides, factor)
+    return CreepingContact(
+        traction=contact.total(along),
+        lateral=contact.total(across),
+        even=contact.total(slides.force),
+        elastic_factor=factor,
+        warming=slides.heated,
+    )
 
 
-def _between_bounds(
-    contact: MixedContact, creepage: Array, slides: EvenSlip, factor: Array
-) -> CreepingContact:
-    """Traction between the two bounds of the law, from that of rigid bodies and the factor of elastic layers."""
-    felt = creepage / factor
-    stick = 0.5 * math.pi * contact.half_width * contact.contact_modulus * contact.contact_length * felt
-    used = xp.minimum(stick / slides.force, 2.0)
-    upper = slides.force * used * (1.0 - 0.25 * used)
-    bodies = 0.5 * contact.contact_modulus * felt
-    lower = width_integral(contact, bodies * xp.arctan(slides.stress / bodies))
+def slip_size(contact: MixedContact, creepage: Array) -> Array:
+    """Size of the creepages along and across [-], that across by how much further the bodies give way that way."""
+    if contact.lateral_creepage is None:
+        return creepage
+    return xp.sqrt(creepage**2 + contact.lateral_creepage**2)
+
+
+def _forces(contact: MixedContact, creepage: Array, slides: EvenSlip, factor: Array) -> tuple[Array, Array]:
+    """Tractions along and across of slices, between the two bounds of the law [N].
+
+    ``slides``, ``factor``: traction of rigid bodies and factor of elastic layers, at the size of the creepages. The
+    direction is that of dry contacts, :func:`asperity.contact.skew.skewed_slip_ratios`.
+    """
+    size = slip_size(contact, creepage)
+    bodies = 0.5 * contact.contact_modulus * size / factor
+    slid = 0.25 * math.pi * bodies / slides.mean  # creepage over that at which all would slip
+    used = xp.minimum(slid, 1.0)
+    upper = slides.mean * used * (2.0 - used)
+    lower = width_mean(bodies * xp.arctan(slides.stress / bodies))
     exponent = xp.clip(slides.exponent, 0.0, 1.0)
     blend = 4.0 * exponent / (1.0 + 3.0 * exponent)
-    traction = upper + blend * (lower - upper)
-    return CreepingContact(traction, slides.force, factor, slides.heated)
+    area = 2.0 * contact.half_width * contact.contact_length
+    traction = area * (upper + blend * (lower - upper))
+    if contact.lateral_creepage is None:
+        return traction, 0.0 * traction
+    turned = contact.lateral_creepage * contact.lateral_ratio ** turn_exponent(slid)
+    length = xp.sqrt(creepage**2 + turned**2)
+    return traction * creepage / length, traction * turned / length
 
 
 class Capacity(NamedTuple):
-    """Largest traction of contacts [N] and the creepage at which they reach it [-], shape (contacts, ...)."""
+    """Largest traction of contacts [N], the creepage at which they reach it, and up to which it counts [-]."""
 
     traction: Array
     creepage: Array
+    limit: Real
 
 
 def stick_creepage(*, contact: MixedContact, traction: Array, elastic_factor: Array) -> Array:
     r"""Creepage under a traction if nothing slipped, :math:`\xi = 2 T f/(\pi a E^* B)` [-]; the least there is."""
-    stiffness = 0.5 * math.pi * contact.half_width * contact.contact_modulus * contact.contact_length
-    return traction * elastic_factor / stiffness
+    area = contact.half_width * contact.contact_length * xp.ones_like(contact.film_thickness)
+    stiffness = 0.5 * math.pi * contact.total(area * contact.contact_modulus / elastic_factor)
+    return traction / stiffness
 
 
 def traction_capacity(
-    *, contact: MixedContact, layer_factor: Array, creep_limit: Real = CREEP_LIMIT
+    *,
+    contact: MixedContact,
+    layer_factor: Array,
+    creep_limit: Real = CREEP_LIMIT,
+    sought: Array | None = None,
 ) -> Capacity:
     r"""Largest traction that contacts reach up to a creepage, :math:`\max_{\xi \le \xi_{lim}} T(\xi)`.
 
@@ -176,6 +205,9 @@ def traction_capacity(
         Creepage factor of the asperities alone near gross slip [-].
     creep_limit : Real, optional
         Largest creepage that counts [-].
+    sought : Array or None, optional
+        Tractions of which only those matter that a contact reaches before [N]: where the traction still rises at the
+        limit, or all of them stay below 99 % of it there, that is returned. None to find the largest in any case.
 
     Returns
     -------
@@ -188,28 +220,119 @@ def traction_capacity(
     Equation (F5) of :doc:`/equations`.
     """
     plain, dry = without_slopes((contact, xp.asarray(layer_factor)))
-    limit = xp.log(without_slopes(xp.asarray(creep_limit))) + 0.0 * plain.film_share * plain.half_width
-    share = np.linspace(0.0, 1.0, _GRID).reshape(-1, *(1 for _ in xp.shape(limit)))
-    low, high = limit + math.log(_LOWEST), limit
-    for _ in range(_ROUNDS):
-        tried = high - (1.0 - share) * (high - low)
-        found = traction_at_creepage(contact=_repeated(plain), creepage=xp.exp(tried), layer_factor=dry)
-        best = xp.clip(xp.argmax(found.traction, axis=0), 1, _GRID - 2)[None]
-        low, middle, high = (xp.take_along_axis(tried, best + k, axis=0)[0] for k in (-1, 0, 1))
-        before, at, after = (xp.take_along_axis(found.traction, best + k, axis=0)[0] for k in (-1, 0, 1))
-    # the parabola through the last three, which are evenly apart
-    bend = before - 2.0 * at + after
-    vertex = middle + 0.5 * (high - middle) * (before - after) / xp.where(bend < 0.0, bend, 1.0)
-    rising = xp.where(after > before, high, low)
-    creepage = xp.exp(xp.clip(xp.where(bend < 0.0, vertex, rising), low, high))
-    at_it = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=layer_factor)
-    return Capacity(at_it.traction, creepage)
+    nothing = plain.total(0.0 * plain.film_share * plain.half_width)
+    limit = xp.log(without_slopes(xp.asarray(creep_limit))) + nothing
+    climb = functools.partial(_climb, plain, dry)
+    at_limit = climb(limit, 0.0)
+
+    def largest() -> Capacity:
+        creepage = xp.exp(_top(climb, limit, at_limit))
+        found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=layer_factor)
+        return Capacity(found.traction, creepage, creep_limit + nothing)
+
+    def last() -> Capacity:
+        creepage, size = xp.exp(limit), slip_size(contact, xp.exp(limit))
+        slides = slip_at_warming(contact=contact, creepage=size, warming=at_limit.warming)
+        factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
+        along, _ = _forces(contact, creepage, slides, factor)
+        return Capacity(contact.total(along), creepage, creep_limit + nothing)
+
+    if sought is None:
+        return largest()
+    reached = xp.abs(without_slopes(sought)) > _WELL_BELOW * at_limit.traction
+    return cond(xp.any(reached & (at_limit.slope < 0.0)), largest, last)
 
 
-def _repeated(contact: MixedContact) -> MixedContact:
-    """The contact with an axis before its others, for several creepages."""
-    repeated: MixedContact = trees.map(lambda leaf: leaf[None] if xp.ndim(leaf) else leaf, contact)
-    return repeated
+class _Climb(NamedTuple):
+    """Traction [N], its slope over the logarithm of the creepage [N], and the warming of the film [K]."""
+
+    traction: Array
+    slope: Array
+    warming: Array
+
+
+def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: Array | float) -> _Climb:
+    """The traction at a creepage and how it rises there, the film as warm as its heat makes it."""
+    size = slip_size(contact, xp.exp(logarithm))
+    warming = even_slip(contact=contact, creepage=size, guess=guess).heated
+    factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
+
+    def of_slices(x: _Unknowns) -> _Unknowns:
+        creepage = xp.exp(x.logarithm)
+        slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
+        along, _ = _forces(contact, creepage, slides, factor)
+        return _Unknowns(along, x.warming - slides.heated)
+
+    one = xp.ones_like(logarithm)
+    directions = [(_Unknowns(one, 0.0 * warming),), (_Unknowns(0.0 * one, 1.0 + 0.0 * warming),)]
+    value, slopes = value_and_slopes(of_slices, (_Unknowns(logarithm, warming),), directions)
+    (by_logarithm, warms_by_it), (by_warming, warms) = slopes
+    slope = contact.total(by_logarithm - by_warming * warms_by_it / warms)
+    return _Climb(contact.total(value.logarithm), slope, warming)
+
+
+class _Top(NamedTuple):
+    """Logarithms of creepages before and behind the largest traction, the cube roots of its slopes, the last one tried.
+
+    ``rises`` is 0 while no creepage before it is known. ``left``: share of the traction that may be missing [-].
+    """
+
+    rounds: Array
+    low: Array
+    high: Array
+    rises: Array
+    falls: Array
+    tried: Array
+    warming: Array
+    left: Array
+
+
+def _top(climb: Callable[[Array, Array | float], _Climb], limit: Array, at_limit: _Climb) -> Array:
+    """Logarithm of the creepage of the largest traction, or the limit if the traction rises up to there.
+
+    Back from the limit by doubled steps until the traction rises, then by chords of the cube roots of the slopes, which
+    are of unlike size where all of a contact begins to slip; an end that stays counts half (rule of the Illinois).
+    """
+
+    def unfinished(state: _Top) -> Array:
+        return (state.rounds < _MOST_STEPS) & xp.any(state.left > _AT_THE_TOP)
+
+    def improved(state: _Top) -> _Top:
+        known = state.rises > 0.0
+        chord = (state.low * state.falls - state.high * state.rises) / (state.falls - state.rises)
+        back = limit - _FIRST_STEP * 2.0**state.rounds
+        going = state.left > _AT_THE_TOP
+        tried = xp.where(going, xp.where(known, chord, back), state.tried)
+        at = climb(tried, state.warming * xp.exp(tried - state.tried))
+        up, root = at.slope > 0.0, xp.cbrt(at.slope)
+        low, high = xp.where(up, tried, state.low), xp.where(up, state.high, tried)
+        bracketed = up | known
+        # the slope falls on from here: no more is gained towards the other end
+        left = xp.where(bracketed, abs(at.slope) * (high - low) / at.traction, 1.0)
+        left = xp.where(~bracketed & (back < limit + _FARTHEST), 0.0, left)
+        return _Top(
+            rounds=state.rounds + 1,
+            low=xp.where(going, low, state.low),
+            high=xp.where(going, high, state.high),
+            rises=xp.where(going, xp.where(up, root, 0.5 * state.rises), state.rises),
+            falls=xp.where(going, xp.where(up, 0.5 * state.falls, root), state.falls),
+            tried=tried,
+            warming=at.warming,
+            left=xp.where(going, left, state.left),
+        )
+
+    falling = at_limit.slope < 0.0
+    first = _Top(
+        rounds=xp.asarray(0),
+        low=limit - 1.0,
+        high=limit,
+        rises=0.0 * limit,
+        falls=xp.where(falling, xp.cbrt(at_limit.slope), -1.0),
+        tried=limit,
+        warming=at_limit.warming,
+        left=xp.where(falling, abs(at_limit.slope) / at_limit.traction, 0.0),
+    )
+    return while_loop(unfinished, improved, first).tried
 
 
 def creepage_at_traction(
@@ -253,7 +376,7 @@ def creepage_at_traction(
 
 
 class _Unknowns(NamedTuple):
-    """Logarithm of the creepage [-] and warming of the film [K] of contacts under a traction."""
+    """Logarithm of the creepage of contacts under a traction [-], and warming of the film, of their slices [K]."""
 
     logarithm: Array
     warming: Array
@@ -267,53 +390,14 @@ class _Known(NamedTuple):
     layer: LayerFactor
 
 
-def _misfits(known: _Known, x: _Unknowns) -> _Unknowns:
-    """By how much the traction exceeds the known one, relative to it [-], and the warming that of its heat [K]."""
-    creepage = xp.exp(x.logarithm)
-    slides = slip_at_warming(contact=known.contact, creepage=creepage, warming=x.warming)
-    used = xp.minimum(known.traction / slides.force, NEAR_CAPACITY)
-    factor = elastic_layers_factor(contact=known.contact, layer_factor=known.layer(used))
-    traction = _between_bounds(known.contact, creepage, slides, factor).traction
-    return _Unknowns(traction / known.traction - 1.0, x.warming - slides.heated)
-
-
-def _root(
-    contact: MixedContact, traction: Array, layer: LayerFactor, least: Array, most: Array
-) -> tuple[Array, Array]:
-    """Logarithm of the creepage under a traction, and the slope of the traction's logarithm over it without slopes."""
-    known = _Known(contact, traction, layer)
-    fixed, nothing = without_slopes(known), xp.zeros_like(least)
-
-    def unfinished(state: _Search) -> Array:
-        return (state.rounds < _MOST_STEPS) & xp.any(state.step > _SMALL_STEP)
-
-    def improved(state: _Search) -> _Search:
-        x = state.x
-        value, slopes = _slopes(fixed, x)
-        (_, by_logarithm), (by_warming, warms) = slopes
-        colder = value.warming / warms
-        misfit = value.logarithm - by_warming * colder  # at the warming that its heat makes, to first order
-        steepness = _alone(slopes)
-        told = abs(misfit) >= _SECOND_ORDER * colder**2
-        low = xp.where(told & (misfit < 0.0), x.logarithm, state.low)
-        high = xp.where(told & (misfit >= 0.0), x.logarithm, state.high)
-        newton = x.logarithm - misfit / xp.where(steepness == 0.0, 1.0, steepness)
-        inside = (newton >= low) & (newton <= high) & (steepness > 0.0)
-        inside = inside & (abs(newton - x.logarithm) <= 0.5 * state.before)
-        better = xp.where(told, xp.where(inside, newton, 0.5 * (low + high)), x.logarithm)
-        better = xp.where(state.step > _SMALL_STEP, better, x.logarithm)
-        moved = better - x.logarithm
-        warming = xp.maximum(x.warming - colder - by_logarithm / warms * moved, 0.0)
-        step = abs(moved) + abs(colder)
-        before = xp.where(told, xp.maximum(abs(moved), _SMALL_STEP), state.before)
-        return _Search(state.rounds + 1, _Unknowns(better, warming), low, high, before, step, steepness)
-
-    low, high = without_slopes((least, most))
-    start = _Unknowns(low, nothing)
-    search = _Search(xp.asarray(0), start, low, high, 2.0 * (high - low), nothing + 1.0, nothing)
-    found = while_loop(unfinished, improved, search)
-    root = implicit_root(functools.partial(_misfits, known), found.x, lambda _, x: x, _solved)
-    return xp.where(found.step <= _SMALL_STEP, root.logarithm, xp.nan), found.steepness
+def _of_slices(known: _Known, x: _Unknowns) -> _Unknowns:
+    """Share of each slice in the known traction [-], and by how much its warming exceeds that of its heat [K]."""
+    contact, creepage = known.contact, xp.exp(x.logarithm)
+    slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
+    used = xp.minimum(known.traction / contact.total(slides.force), NEAR_CAPACITY)
+    factor = elastic_layers_factor(contact=contact, layer_factor=known.layer(used))
+    along, _ = _forces(contact, creepage, slides, factor)
+    return _Unknowns(along / known.traction, x.warming - slides.heated)
 
 
 class _Search(NamedTuple):
@@ -328,29 +412,81 @@ class _Search(NamedTuple):
     steepness: Array
 
 
-def _slopes(known: _Known, x: _Unknowns) -> tuple[_Unknowns, list[_Unknowns]]:
-    """Misfits and their slopes by both unknowns."""
-    one, none = xp.ones_like(x.logarithm), xp.zeros_like(x.logarithm)
-    return value_and_slopes(
-        functools.partial(_misfits, known), (x,), [(_Unknowns(one, none),), (_Unknowns(none, one),)]
+def _root(
+    contact: MixedContact, traction: Array, layer: LayerFactor, least: Array, most: Array
+) -> tuple[Array, Array]:
+    """Logarithm of the creepage under a traction, and the slope of the traction's logarithm over it without slopes."""
+    known = _Known(contact, traction, layer)
+    fixed, low, high = without_slopes((known, least, most))
+    nothing = xp.zeros_like(low)
+    cold = nothing + 0.0 * fixed.contact.film_thickness
+
+    def unfinished(state: _Search) -> Array:
+        return (state.rounds < _MOST_STEPS) & xp.any(state.step > _SMALL_STEP)
+
+    first = _Search(
+        xp.asarray(0), _Unknowns(low, cold), low, high, 2.0 * (high - low), nothing + 1.0, nothing
     )
+    found = while_loop(unfinished, functools.partial(_nearer, fixed), first)
+    root = _known_root(found.x, known)
+    return xp.where(found.step <= _SMALL_STEP, root.logarithm, xp.nan), found.steepness
 
 
-def _by_both(slopes: Sequence[_Unknowns], value: _Unknowns) -> _Unknowns:
-    """The change of both unknowns that changes the misfits by a value."""
-    (a, c), (b, d) = slopes
-    size = a * d - b * c
-    size = xp.where(size == 0.0, 1.0, size)
-    return _Unknowns((d * value[0] - b * value[1]) / size, (a * value[1] - c * value[0]) / size)
+@with_rule
+def _known_root(root: _Unknowns, known: _Known) -> _Unknowns:
+    """Unknowns that are known already, with the derivatives of the root that they are."""
+    return root
 
 
-def _alone(slopes: Sequence[_Unknowns]) -> Array:
-    """Slope of the traction by the creepage, the warming going along."""
-    (a, c), (b, d) = slopes
-    return a - b * c / d
+@_known_root.defjvp
+def _known_root_jvp(
+    primals: tuple[_Unknowns, _Known], tangents: tuple[_Unknowns, _Known]
+) -> tuple[_Unknowns, _Unknowns]:
+    (root, known), (_, moved) = primals, tangents
+    root = _known_root(root, known)  # itself, so that this may be differentiated in turn
+    _, change = value_and_slope(lambda given: _of_slices(given, root), (known,), (moved,))
+    _, slopes = _slopes(known, root)
+    (by_logarithm, warms_by_it), (by_warming, warms) = slopes
+    total = known.contact.total
+    left = total(change.logarithm - by_warming * change.warming / warms)
+    logarithm = -left / total(by_logarithm - by_warming * warms_by_it / warms)
+    return root, _Unknowns(logarithm, -(change.warming + warms_by_it * logarithm) / warms)
 
 
-def _solved(linear: Callable[[_Unknowns], _Unknowns], right: _Unknowns) -> _Unknowns:
-    """The unknowns of which a linear function, number by number, is given."""
-    one, none = xp.ones_like(right.logarithm), xp.zeros_like(right.logarithm)
-    return _by_both([linear(_Unknowns(one, none)), linear(_Unknowns(none, one))], right)
+def _slopes(known: _Known, x: _Unknowns) -> tuple[_Unknowns, list[_Unknowns]]:
+    """Shares of the slices and misfits of their warmings, and their slopes by both unknowns."""
+    one, none = xp.ones_like(x.logarithm), xp.zeros_like(x.logarithm)
+    directions = [(_Unknowns(one, 0.0 * x.warming),), (_Unknowns(none, 1.0 + 0.0 * x.warming),)]
+    return value_and_slopes(functools.partial(_of_slices, known), (x,), directions)
+
+
+def _nearer(known: _Known, state: _Search) -> _Search:
+    """A step of Newton's in both unknowns, or half of the interval that is known to hold the root."""
+    x, total = state.x, known.contact.total
+    value, slopes = _slopes(known, x)
+    (by_logarithm, warms_by_it), (by_warming, warms) = slopes
+    colder = value.warming / warms
+    # at the warming that the heat makes, to first order
+    misfit = total(value.logarithm - by_warming * colder) - 1.0
+    steepness = total(by_logarithm - by_warming * warms_by_it / warms)
+    apart = total(abs(colder))
+    told = abs(misfit) >= _SECOND_ORDER * apart**2
+    low = xp.where(told & (misfit < 0.0), x.logarithm, state.low)
+    high = xp.where(told & (misfit >= 0.0), x.logarithm, state.high)
+    newton = x.logarithm - misfit / xp.where(steepness == 0.0, 1.0, steepness)
+    inside = (newton >= low) & (newton <= high) & (steepness > 0.0)
+    inside = inside & (abs(newton - x.logarithm) <= 0.5 * state.before)
+    better = xp.where(told, xp.where(inside, newton, 0.5 * (low + high)), x.logarithm)
+    better = xp.where(state.step > _SMALL_STEP, better, x.logarithm)
+    moved = better - x.logarithm
+    warming = xp.maximum(x.warming - colder - warms_by_it / warms * moved, 0.0)
+    before = xp.where(told, xp.maximum(abs(moved), _SMALL_STEP), state.before)
+    return _Search(
+        rounds=state.rounds + 1,
+        x=_Unknowns(better, warming),
+        low=low,
+        high=high,
+        before=before,
+        step=abs(moved) + apart,
+        steepness=steepness,
+    )

@@ -160,8 +160,8 @@ def central_film_thickness(*, inlet: FilmInlet, film_share: Real = 1.0) -> Array
     return relative * root * inlet.effective_radius
 
 
-def central_film_by(*, law: FilmLaw, inlet: FilmInlet) -> Array:
-    r"""Central thickness of a film that carries the whole load, by one of several laws.
+def central_film_by(*, law: FilmLaw, inlet: FilmInlet, film_share: Real = 1.0) -> Array:
+    r"""Central thickness of the film of a rolling line contact by one of several laws.
 
     .. math::
         \text{Dowson and Toyoda: } \frac hR = 3.06\,\frac{U^{0.69} G^{0.56}}{W^{0.10}}, \qquad
@@ -175,6 +175,8 @@ def central_film_by(*, law: FilmLaw, inlet: FilmInlet) -> Array:
         ``moes``, ``dowson_toyoda`` or ``pan_hamrock``.
     inlet : FilmInlet
         Oil, speed, load, radius and modulus.
+    film_share : Real, optional
+        Share of the load that the film carries, as for :func:`central_film_thickness` [-].
 
     Returns
     -------
@@ -183,8 +185,8 @@ def central_film_by(*, law: FilmLaw, inlet: FilmInlet) -> Array:
 
     Notes
     -----
-    The two rivals of :func:`central_film_thickness` are fits of elastic, piezoviscous films; between loads that a film
-    shares with asperities they do not hold.
+    The two rivals of :func:`central_film_thickness` are fits of elastic, piezoviscous films. They do not hold where
+    asperities carry most of the load: the film then is that of rigid rollers.
 
     References
     ----------
@@ -192,10 +194,10 @@ def central_film_by(*, law: FilmLaw, inlet: FilmInlet) -> Array:
     (F2) of :doc:`/equations`.
     """
     if law == "moes":
-        return central_film_thickness(inlet=inlet)
-    modulus = 2.0 * inlet.contact_modulus
+        return central_film_thickness(inlet=inlet, film_share=film_share)
+    modulus = 2.0 * inlet.contact_modulus * film_share
     speed = inlet.viscosity * inlet.rolling_speed / (modulus * inlet.effective_radius)
-    load = inlet.line_load / (modulus * inlet.effective_radius)
+    load = film_share * inlet.line_load / (modulus * inlet.effective_radius)
     material = inlet.pressure_coefficient * modulus
     if law == "dowson_toyoda":
         relative = 3.06 * speed**0.69 * material**0.56 / load**0.10

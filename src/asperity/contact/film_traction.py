@@ -10,7 +10,7 @@ import numpy as np
 
 from asperity.contact.fluid import Film, FilmTraction, Fluid
 from asperity.engine.arrays import xp
-from asperity.engine.module import Module
+from asperity.engine.module import Module, static
 from asperity.implicit import elementwise_root
 from asperity.types import Array, Real
 
@@ -24,6 +24,8 @@ SHAPE = np.cos(_ANGLES)
 
 #: Warming of a film up to which its temperature is sought [K].
 MOST_WARMING = 1000.0
+#: Relative change of it after which Newton's next one, its square, is not taken [-].
+_SMALL_WARMING = 1e-5
 
 #: Share of the sources' mean rise in the largest, and of the film's own in its middle, in the mean temperature.
 _SURFACE_SHARE, _FILM_SHARE = 2.0 / 3.0, 1.0 / 12.0
@@ -85,6 +87,13 @@ class MixedContact(Module):
     effusivity : Real
         :math:`\sqrt{k \rho c}` of the bodies, their mean [W s^0.5/(m^2 K)]; infinite to leave out the heat of the
         surfaces.
+    lateral_creepage : Real or None, optional
+        Creepage across the rolling direction over how much further the bodies give way that way [-]; None for parallel
+        axes.
+    lateral_ratio : Real, optional
+        How much further they give way across [-].
+    sliced : bool, optional
+        Whether the first axis of all arrays belongs to slices of the contacts, which share their creepages.
     """
 
     fluid: Fluid
@@ -99,6 +108,13 @@ class MixedContact(Module):
     rolling_speed: Real
     oil_temperature: Real
     effusivity: Real
+    lateral_creepage: Real | None = None
+    lateral_ratio: Real = 1.0
+    sliced: bool = static(default=False)
+
+    def total(self, of_slices: Array) -> Array:
+        """Forces of whole contacts from those of their slices."""
+        return of_slices.sum(axis=0) if self.sliced else of_slices
 
     @property
     def traction(self) -> FilmTraction:
@@ -110,17 +126,19 @@ class MixedContact(Module):
 class EvenSlip(NamedTuple):
     """Traction of a contact whose bodies were rigid: slip is the same everywhere.
 
-    ``stress``: at the places of half of the width, shape (places, contacts, ...) [Pa]; ``force`` [N]; ``exponent``,
-    slope of its logarithm over that of the slip at one temperature [-]; ``heated``: warming of the film by it [K].
+    ``stress``: at the places of half of the width, shape (places, contacts, ...), and ``mean`` [Pa]; ``force`` [N];
+    ``exponent``, slope of its logarithm over that of the slip at one temperature [-]; ``heated``: warming of the film
+    by it [K].
     """
 
     stress: Array
+    mean: Array
     force: Array
     exponent: Array
     heated: Array
 
 
-def even_slip(*, contact: MixedContact, creepage: Array) -> EvenSlip:
+def even_slip(*, contact: MixedContact, creepage: Array, guess: Array | float = 0.0) -> EvenSlip:
     r"""Traction of a contact between rigid bodies at a creepage.
 
     .. math::
@@ -134,6 +152,8 @@ def even_slip(*, contact: MixedContact, creepage: Array) -> EvenSlip:
         The contact.
     creepage : Array
         xi, positive, shape (contacts, ...) [-].
+    guess : Array or float, optional
+        Warming of the film from which its own is sought [K].
 
     Returns
     -------
@@ -146,7 +166,9 @@ def even_slip(*, contact: MixedContact, creepage: Array) -> EvenSlip:
     """
     nothing = xp.zeros_like(creepage * contact.film_thickness)
     ends = nothing, nothing + MOST_WARMING
-    warming = elementwise_root(_warmer_than_heated, (contact, creepage), *ends, nothing)
+    warming = elementwise_root(
+        _warmer_than_heated, (contact, creepage), *ends, nothing + guess, small_step=_SMALL_WARMING
+    )
     return slip_at_warming(contact=contact, creepage=creepage, warming=warming)
 
 
@@ -173,15 +195,15 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
     film_stress = xp.where(carries, film_stress, 0.0)
     pressure = _along(SHAPE, peak) * (contact.asperity_share * contact.peak_pressure)
     stress = coefficient * pressure + film_stress
-    force = width_integral(contact, stress)
-    rise = width_integral(contact, friction_slope * pressure + film_slope * film_stress)
-    heat = slip * force / (2.0 * contact.half_width * contact.contact_length)
-    return EvenSlip(stress, force, rise / force, _resistance_to_heat(contact) * heat)
+    mean = width_mean(stress)
+    rise = width_mean(friction_slope * pressure + film_slope * film_stress)
+    force = 2.0 * contact.half_width * contact.contact_length * mean
+    return EvenSlip(stress, mean, force, rise / mean, _resistance_to_heat(contact) * slip * mean)
 
 
-def width_integral(contact: MixedContact, stress: Array) -> Array:
-    r"""Force of a stress at the places of half of the width, :math:`B \int \tau\,dx` [N]."""
-    return contact.contact_length * contact.half_width * (_along(WEIGHTS, stress[0]) * stress).sum(axis=0)
+def width_mean(stress: Array) -> Array:
+    r"""Mean over the width of a stress at the places of half of it, :math:`\int \tau\,dx/2a`."""
+    return 0.5 * (_along(WEIGHTS, stress[0]) * stress).sum(axis=0)
 
 
 def _along(values: np.ndarray, of: Array) -> np.ndarray:

@@ -13,9 +13,6 @@ from asperity.types import Array, Real
 #: How the film yields below its limit: thinning by Eyring's law, or Newton's flow up to the limit.
 ShearLaw = Literal["eyring", "limit"]
 
-#: Exponent by which the lower one of two stresses is taken smoothly.
-_SMOOTH_MINIMUM = 8.0
-
 
 class Film(Module):
     """The film of a rolling contact that slips, of which its oil tells what shear stress it bears. SI units.
@@ -223,7 +220,9 @@ def smooth_minimum(one: Array, other: Array) -> tuple[Array, Array]:
     ratio = one / xp.where(positive, other, 1.0)
     below = ratio < 1.0
     # the larger of both in the denominator
-    small = xp.where(below, ratio, 1.0 / xp.where(below, 1.0, ratio)) ** _SMOOTH_MINIMUM
+    square = xp.where(below, ratio, 1.0 / xp.where(below, 1.0, ratio)) ** 2
+    small = square * square
+    small = small * small
     lower = xp.where(below, one, other)
-    stress = lower * (1.0 + small) ** (-1.0 / _SMOOTH_MINIMUM)
+    stress = lower / xp.sqrt(xp.sqrt(xp.sqrt(1.0 + small)))
     return xp.where(positive, stress, 0.0), xp.where(below, 1.0, small) / (1.0 + small)

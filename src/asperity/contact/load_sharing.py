@@ -7,10 +7,11 @@ thickness leaves of their overlap. Both meet at one thickness.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
-from asperity.contact.film_thickness import FilmInlet, central_film_thickness
+from asperity.contact.film_thickness import FilmInlet, FilmLaw, central_film_by
 from asperity.engine.arrays import special, xp
+from asperity.engine.module import Module, static
 from asperity.implicit import elementwise_root
 from asperity.types import Array, Real
 
@@ -20,6 +21,10 @@ SEPARATION_FACTOR = 1.1
 
 #: Logits of the share between which it is sought: shares of 1e-87 to all but as much.
 _LARGEST_LOGIT = 200.0
+
+
+#: How the load is shared: by the separation of rough surfaces after Persson, or by the rival with the error function.
+SharingLaw = Literal["persson", "erf"]
 
 
 class LoadSharing(NamedTuple):
@@ -88,6 +93,7 @@ def shared_load(
     half_width: Array,
     mean_pressure: Array,
     thickness_factor: Real = 1.0,
+    film_law: FilmLaw = "moes",
 ) -> LoadSharing:
     r"""Shares of asperities and film in the load of a rolling contact.
 
@@ -102,6 +108,8 @@ def shared_load(
         As for :func:`asperity_separation`, shape (contacts, ...), positive.
     thickness_factor : Real, optional
         Factor on the thickness of the film, by heat at the inlet and by starvation [-].
+    film_law : FilmLaw, optional
+        Law of the film.
 
     Returns
     -------
@@ -118,7 +126,7 @@ def shared_load(
     K. L. Johnson, J. A. Greenwood and S. Y. Poon, Wear 19 (1972) 91; equation (F3) of :doc:`/equations`.
     """
     rough = _Rough(decay_length, rms_height, half_width, inlet.contact_modulus / mean_pressure)
-    film = _Film(inlet, thickness_factor)
+    film = _Film(inlet, thickness_factor, film_law)
     nothing = 0.0 * (mean_pressure + half_width + rms_height)
     ends = nothing - _LARGEST_LOGIT, nothing + _LARGEST_LOGIT
     logit = elementwise_root(_misfit, (rough, film), *ends, ends[1])
@@ -140,15 +148,16 @@ class _Rough(NamedTuple):
         return self.decay_length * xp.logaddexp(0.0, height - log_share)
 
 
-class _Film(NamedTuple):
-    """The oil at the inlet, and the factor on the thickness of its film [-]."""
+class _Film(Module):
+    """The oil at the inlet, the factor on the thickness of its film [-], and its law."""
 
     inlet: FilmInlet
     factor: Real
+    law: FilmLaw = static()
 
     def thickness(self, film_share: Array) -> Array:
         """Of a film that carries a share of the load [m]."""
-        return self.factor * central_film_thickness(inlet=self.inlet, film_share=film_share)
+        return self.factor * central_film_by(law=self.law, inlet=self.inlet, film_share=film_share)
 
 
 def _misfit(both: tuple[_Rough, _Film], logit: Array) -> Array:

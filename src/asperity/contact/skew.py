@@ -113,7 +113,7 @@ def _force_over_share(share: Real) -> Real:
     return xp.where(sticks, 2.0 - share, 1.0 / xp.where(sticks, 1.0, share))
 
 
-def _turn(share: Real) -> Real:
+def turn_exponent(share: Real) -> Real:
     """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
     sticks = share < 1.0
     inside = xp.where(sticks, share, 0.0)
@@ -124,7 +124,7 @@ def _turn(share: Real) -> Real:
 def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
     """Q_x/(mu N) and Q_y/(mu N) from the scaled creepages; ratio is xi_y,max over xi_x,max."""
     share = _length(along, across)
-    turned = across * ratio ** _turn(share)
+    turned = across * ratio ** turn_exponent(share)
     length = _length(along, turned)
     some = length > 0.0
     stretch = xp.where(some, share / xp.where(some, length, 1.0), 1.0)
@@ -138,7 +138,7 @@ def _force_and_slope(along: Real, across: Real, ratio: Real) -> tuple[Real, Real
     size, sticks = _force_over_share(share), share < 1.0
     growing = xp.where(sticks, -1.0, -size * size)
     turning = xp.where(sticks, 1.0, size * size * size) / xp.where(sticks, 2.0 - share, 1.0) ** 2
-    turned = across * ratio ** _turn(share)
+    turned = across * ratio ** turn_exponent(share)
     length = xp.sqrt(along * along + turned * turned)
     force = size * share * along / length
     by_share = along / share

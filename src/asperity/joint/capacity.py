@@ -28,7 +28,7 @@ from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import TorqueCapacity, limit_entries, named_capacity
-from asperity.rolling.creep import capacity_loss
+from asperity.rolling.creep import traction_limit
 from asperity.types import Array, Real
 
 _LIFTED = 1e-12
@@ -99,14 +99,10 @@ def loading(
     unloaded = rolling_load(machine)
     pressed = pressed_at(machine, without_torque)
 
-    def friction_left(state: DriveState) -> Array:
-        """Friction that skew leaves to the joint that turns."""
-        lost = capacity_loss(
-            creep=creep_law(machine, state.normal, state.tangential),
-            friction_coefficient=friction,
-            width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
-        )
-        return friction * (1.0 - lost)
+    def rolling_limit(state: DriveState) -> Array:
+        """What skew leaves of friction, or film and asperities bear, in the joint that turns."""
+        creep = creep_law(machine, state.normal, state.tangential)
+        return traction_limit(pairs=contacts.pairs, creep=creep, normal_force=state.normal)
 
     def at(torque: Array, rolls: Array | bool, holds: Array | bool) -> UnderTorque:
         laws, rest = pressed(torque)
@@ -121,8 +117,8 @@ def loading(
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction
-        if joint.rolling.skew is not None:
-            available = cond(rolls, friction_left, lambda state: friction + 0.0 * state.normal, state)
+        if joint.rolling.skew is not None or joint.rolling.lubricant is not None:
+            available = cond(rolls, rolling_limit, lambda state: friction + 0.0 * state.normal, state)
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 
 from asperity.body.shapes import PlaneState, kolosov_constant
@@ -11,7 +12,7 @@ from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.contact.rolling_losses import hysteresis_moment
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.normal_springs import NormalSprings
-from asperity.drive.state.creep import CreepLaw, creepages
+from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
 from asperity.engine.arrays import xp
 from asperity.engine.module import Partial
@@ -24,13 +25,14 @@ from asperity.joint.contacts import (
     with_crowns,
 )
 from asperity.joint.crowned_contacts import lateral_strain_compliance
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, places
 from asperity.joint.fit import BodyModel
 from asperity.joint.machine import JointMachine
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
+from asperity.rolling.film import OiledSurfaces
 from asperity.rolling.power import oil_drag
-from asperity.rolling.surface import mean_half_width
+from asperity.rolling.surface import effusivity_of, mean_half_width
 from asperity.types import Array, Real
 
 
@@ -95,37 +97,87 @@ def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
 
 
 def creep_law(machine: JointMachine, normal_force: Array, tangential_force: Array) -> ContactCreep:
-    """Creep of the contacts with the factors of asperities and skew around forces of shape (contacts,) [N].
+    """Creep of the contacts with asperities, skew and oil around forces of shape (contacts,) [N].
 
-    (B1), (B3).
+    (B1), (B3), (F5).
     """
     return contact_creep(
         contacts=machine.contacts,
         skew=machine.joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
+        surfaces=oiled_surfaces(machine),
     )
 
 
 def creep_under(machine: JointMachine) -> CreepOf:
     """Creep by the law of :func:`creep_law` under any forces, as a module of numbers."""
-    return Partial(_creep_under, (machine.joint.rolling.skew, machine.contacts))
+    given = machine.joint.rolling.skew, machine.contacts, oiled_surfaces(machine)
+    return Partial(_creep_under, given)
 
 
 def _creep_under(
-    skew: tuple[Real, ...] | None, contacts: JointContacts, normal_force: Array, tangential_force: Array
+    skew: tuple[Real, ...] | None,
+    contacts: JointContacts,
+    surfaces: OiledSurfaces | None,
+    normal_force: Array,
+    tangential_force: Array,
 ) -> Creeping:
     creep = contact_creep(
-        contacts=contacts, skew=skew, normal_force=normal_force, tangential_force=tangential_force
+        contacts=contacts,
+        skew=skew,
+        normal_force=normal_force,
+        tangential_force=tangential_force,
+        surfaces=surfaces,
+        with_capacity=False,
     )
+    creepage = creep.creepage(normal_force, tangential_force)
+    bears = creep.law.friction_coefficient * normal_force
+    if creep.oiled is not None:
+        bears = xp.where(creep.oiled.turns, creep.oiled.capacity.traction, bears)
     if creep.parallel:
-        return Creeping(creep.law, xp.zeros_like(normal_force))
-    creepage = creepages(law=creep.law, normal=normal_force, tangential=tangential_force)
+        return Creeping(creepage, bears, xp.zeros_like(normal_force))
     axial = contact_friction(
         pairs=contacts.pairs, creep=creep, normal_force=normal_force, creepage=creepage
     ).axial
     # half of the work of the axial force on each surface
-    return Creeping(creep.law, 0.5 * axial * creep.skew)
+    return Creeping(creepage, bears, 0.5 * axial * creep.skew)
+
+
+def oiled_surfaces(machine: JointMachine) -> OiledSurfaces | None:
+    """What the oil in the contacts meets; None without one whose traction is known."""
+    joint, lubricant = machine.joint, machine.joint.rolling.lubricant
+    if lubricant is None or lubricant.fluid.traction is None:
+        return None
+    heights = joint.rolling.roughness
+    speed = rolling_speeds(joint)
+    return OiledSurfaces(
+        lubricant=lubricant,
+        rolling_speed=speed,
+        effusivity=_effusivities(joint),
+        rms_height=None
+        if heights is None
+        else xp.stack([xp.asarray(height) for height in heights]) + 0.0 * speed,
+    )
+
+
+def _effusivities(joint: Joint) -> Array:
+    """Means of the effusivities of the bodies of each contact, infinite where one is not known, shape (contacts,)."""
+    means: list[Real] = []
+    for bodies in zip(*places(joint.drive), strict=True):
+        both = [joint.materials[body] for body in bodies]
+        if any(one.thermal_conductivity is None or one.specific_heat_capacity is None for one in both):
+            means.append(xp.asarray(math.inf))
+            continue
+        means.append(0.5 * sum(effusivity_of(one) for one in both))
+    return xp.stack([xp.asarray(mean) for mean in means])
+
+
+def rolling_speeds(joint: Joint) -> Array:
+    """Mean speeds of both surfaces of each contact relative to it, without creep, shape (contacts,) [m/s]."""
+    size = xp.abs(xp.asarray(joint.input_speed, dtype=float))
+    one, two = surface_speeds(drive=joint.drive, speed=xp.asarray(speeds(joint.drive)) * size)
+    return 0.5 * (one + two)
 
 
 def centrifugal_forces(joint: Joint, masses: Sequence[Real]) -> Array:
@@ -163,9 +215,7 @@ def rolling_load(machine: JointMachine) -> DriveLoad:
     load, joint, rolling = drive_load(machine), machine.joint, machine.joint.rolling
     if rolling.viscosity is None and rolling.hysteresis_loss_factor is None and rolling.skew is None:
         return load
-    size = xp.abs(xp.asarray(joint.input_speed, dtype=float))
-    one, two = surface_speeds(drive=joint.drive, speed=xp.asarray(speeds(joint.drive)) * size)
-    numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, machine.contacts, 0.5 * (one + two))
+    numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, machine.contacts, rolling_speeds(joint))
     return dataclasses.replace(load, resistance_of=Partial(_resistance_under, numbers))
 
 

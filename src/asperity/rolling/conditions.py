@@ -5,6 +5,7 @@ from __future__ import annotations
 from asperity.contact.creep_law import CREEP_LIMIT
 from asperity.contact.film_thickness import FilmLaw
 from asperity.contact.fluid import Fluid
+from asperity.contact.load_sharing import SharingLaw
 from asperity.engine.module import Module, static
 from asperity.types import Real
 
@@ -43,8 +44,8 @@ class Lubricant(Module):
     friction_speeds, friction_coefficients : tuple of Real
         Slip speeds in rising order [m/s] and friction coefficients of the asperities there [-]; empty where friction
         is that of the joint at every speed.
-    film_law : FilmLaw
-        Law of the film that is shown beside Moes's, which carries the load.
+    film_law, load_sharing : FilmLaw, SharingLaw
+        Laws of the central film, and of the shares of film and asperities in the load.
     """
 
     fluid: Fluid
@@ -54,6 +55,7 @@ class Lubricant(Module):
     friction_speeds: tuple[Real, ...] = ()
     friction_coefficients: tuple[Real, ...] = ()
     film_law: FilmLaw = static(default="moes")
+    load_sharing: SharingLaw = static(default="persson")
 
 
 class RollingConditions(Module):

@@ -1,10 +1,11 @@
-"""The creep law of the contacts of a joint: Carter's, with the asperities as a layer and with skew."""
+"""The creep law of the contacts of a joint: Carter's, with the asperities as a layer, with skew, and with oil."""
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
 from asperity.contact import carter
+from asperity.contact.creep_law import LayerFactor
 from asperity.contact.creep_layer import LayerLaw, factor_on_creepage, layer_law, layer_ratio
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.skew import (
@@ -15,13 +16,15 @@ from asperity.contact.skew import (
     skewed_slip_ratios,
 )
 from asperity.contact.strip_theory import strip_creepage
-from asperity.drive.state.creep import CreepLaw
+from asperity.drive.state.creep import CreepLaw, creepages
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import once, scan
+from asperity.engine.module import Partial
 from asperity.joint.contacts import JointContacts, rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices, slice_friction
 from asperity.joint.fit import per_contact
+from asperity.rolling.film import OiledCreep, OiledSurfaces, oiled_contacts, oiled_creep
 from asperity.types import Array, Real
 
 # slip ratios between which the factors on Carter's creepage are taken
@@ -42,6 +45,10 @@ class ContactCreep(NamedTuple):
         and of skew on Carter's creepage.
     crown_factor : Array or None
         Factor of the crowns on Carter's creepage; None where no roller is crowned.
+    layer : LayerFactor or None
+        Factor of the asperities on Carter's creepage over the slip ratio, of slices where contacts are crowned.
+    oiled : OiledCreep or None
+        The law with oil, which holds where the contacts roll; None without one whose traction is known.
     lateral_ratio : Array
         Creepage across over creepage along, both at gross slip.
     skew : Array
@@ -58,10 +65,25 @@ class ContactCreep(NamedTuple):
     skew: Array
     parallel: bool
     crown_factor: Array | None = None
+    layer: LayerFactor | None = None
+    oiled: OiledCreep | None = None
+
+    def creepage(self, normal_force: Array, tangential_force: Array) -> Array:
+        """Creepages under the forces [N] for which the law was made [-]."""
+        dry = creepages(law=self.law, normal=normal_force, tangential=tangential_force)
+        if self.oiled is None:
+            return dry
+        return xp.where(self.oiled.turns, self.oiled.creepage(tangential_force), dry)
 
 
 def contact_creep(
-    *, contacts: JointContacts, skew: tuple[Real, ...] | None, normal_force: Array, tangential_force: Array
+    *,
+    contacts: JointContacts,
+    skew: tuple[Real, ...] | None,
+    normal_force: Array,
+    tangential_force: Array,
+    surfaces: OiledSurfaces | None = None,
+    with_capacity: bool = True,
 ) -> ContactCreep:
     r"""Carter's creep of the contacts with their asperities as a layer between the bodies, and with skew.
 
@@ -78,7 +100,9 @@ def contact_creep(
     :math:`u_0` of the contact law in use; the published law has no local form: its :math:`N/K_n` acts at every
     place. Across the rolling direction the same asperities lie on bodies that are softer in the ratio of the creepages
     at gross slip. The slices of a crowned contact share one creepage; their widths give one more factor, and the
-    layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together.
+    layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together. With
+    ``surfaces`` that meet oil the law is that of :mod:`asperity.rolling.film` where the contacts roll; without
+    ``with_capacity`` their largest traction is found only where these forces come near it.
     """
     stiffness = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=xp.zeros_like(tangential_force)
@@ -89,7 +113,20 @@ def contact_creep(
     creep = _creep_at(contacts, skew, normal_force, q, stiffness)
     # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
     scale = once(creep.law.gross_slip_scale)
-    return creep._replace(law=CreepLaw(xp.broadcast_to(friction, scale.shape), scale))
+    creep = creep._replace(law=CreepLaw(xp.broadcast_to(friction, scale.shape), scale))
+    if surfaces is None or creep.layer is None:
+        return creep
+    lateral = None if creep.parallel else (creep.skew / creep.lateral_ratio, creep.lateral_ratio)
+    oiled = oiled_contacts(surfaces=surfaces, contacts=contacts, normal_force=normal_force, lateral=lateral)
+    sought = None if with_capacity else tangential_force
+    law = oiled_creep(oiled=oiled, layer=creep.layer, surfaces=surfaces, sought=sought)
+    return creep._replace(oiled=law)
+
+
+def _layer_factor(law: LayerLaw, known: Array | bool, slip_ratio: Array) -> Array:
+    """Factor of the asperities on Carter's creepage; none where every spot is plastic, as they have no stiffness."""
+    used = xp.clip(slip_ratio, _LEAST_SLIP, _MOST_SLIP)
+    return xp.where(known, factor_on_creepage(law=law, slip_ratio=used), 1.0)
 
 
 def _creep_at(
@@ -163,7 +200,15 @@ def _creep_at(
     smooth = smooth if crown is None else smooth * crown
     scale = xp.broadcast_to(smooth / xp.sqrt(normal) * layer * skew_factor, normal_force.shape)
     return ContactCreep(
-        CreepLaw(friction, scale), ratio, layer, skew_factor, lateral_ratio, across, skew is None, crown
+        CreepLaw(friction, scale),
+        ratio,
+        layer,
+        skew_factor,
+        lateral_ratio,
+        across,
+        skew is None,
+        crown,
+        Partial(_layer_factor, (along, True) if sliced is None else (sliced.law, sliced.known)),
     )
 
 
@@ -220,12 +265,14 @@ def _sliced(slices: _Slices, slip_ratio: Array, even: Real) -> tuple[Array, Arra
 class ContactFriction(NamedTuple):
     """What skew does to the friction of contacts, shape (contacts, ...).
 
-    Lateral slip over its limit [-], share of the friction that skew takes [-], and axial force [N].
+    Lateral slip over its limit [-], share of the friction that skew takes [-], axial force [N], and the largest
+    tangential over the normal force with parallel axes [-].
     """
 
     lateral: Array
     lost: Array
     axial: Array
+    most: Array
 
 
 def contact_friction(
@@ -238,7 +285,33 @@ def contact_friction(
     )
     lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
     axial = axial_force(friction_coefficient=friction, normal_force=normal_force, lateral_slip_ratio=lateral)
-    return ContactFriction(lateral, lost, xp.asarray(axial))
+    dry = ContactFriction(lateral, lost, xp.asarray(axial), friction + 0.0 * lost)
+    if creep.oiled is None:
+        return dry
+    capacity, most, pushes = creep.oiled.capacity.traction, creep.oiled.capacity.traction, dry.axial
+    if not creep.parallel:
+        most, pushes = creep.oiled.without_skew().traction, creep.oiled.axial_force(creepage)
+    oiled = ContactFriction(pushes / most, 1.0 - capacity / most, pushes, most / normal_force)
+    turns = creep.oiled.turns
+    found: ContactFriction = trees.map(
+        lambda with_oil, without: xp.where(turns, with_oil, without), oiled, dry
+    )
+    return found
+
+
+def traction_limit(*, pairs: RollerPairs, creep: ContactCreep, normal_force: Array) -> Array:
+    """Largest tangential forces of contacts that roll over their normal forces [N], shape (contacts, ...) [-].
+
+    What friction and skew leave, or film and asperities with oil.
+    """
+    width = pairs.half_width(normal_force) / pairs.effective_radius
+    lost = capacity_loss(
+        creep=creep, friction_coefficient=pairs.friction_coefficient, width_over_radius=width
+    )
+    dry = xp.asarray(pairs.friction_coefficient * (1.0 - lost))
+    if creep.oiled is None:
+        return dry
+    return xp.where(creep.oiled.turns, creep.oiled.capacity.traction / normal_force, dry)
 
 
 def lateral_slip_ratio(

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import ContactLaws
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
@@ -18,6 +17,7 @@ from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import creep_law
 from asperity.joint.machine import joint_machine
+from asperity.rolling.creep import traction_limit
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import rolling_at
 from asperity.types import Array
@@ -129,10 +129,14 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
 
 def _curves(joint: Joint, normal: Array) -> tuple[Array, Array]:
     machine = joint_machine(joint)
+    pairs, without = machine.contacts.pairs, creep_law(machine, normal, xp.zeros_like(normal))
+    most = xp.asarray(pairs.friction_coefficient)
+    if without.oiled is not None:
+        most = traction_limit(pairs=pairs, creep=without, normal_force=normal)
 
     def at(share: Array) -> tuple[Array, Array]:
-        tangential = xp.asarray(machine.contacts.pairs.friction_coefficient) * share * normal
-        law = creep_law(machine, normal, tangential).law
-        return tangential / normal, creepages(law=law, normal=normal, tangential=tangential)
+        tangential = most * share * normal
+        creepage = creep_law(machine, normal, tangential).creepage(normal, tangential)
+        return tangential / normal, creepage
 
     return vectorised(at, out_axis=-1)(xp.linspace(0.0, _LARGEST_SHARE, _POINTS))

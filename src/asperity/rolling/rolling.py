@@ -28,7 +28,8 @@ from asperity.engine.module import Module
 from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.joint.laws import creep_law
 from asperity.joint.machine import JointMachine
-from asperity.rolling.creep import ContactFriction, contact_friction
+from asperity.rolling.creep import ContactFriction, contact_friction, traction_limit
+from asperity.rolling.film import FilmState, film_state
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
 from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
@@ -112,6 +113,8 @@ class RollingResult(Module):
     crown_creepage_factor : Array or None
         By how much the crowns change the creepage of smooth rollers, shape (contacts, ...) [-]; None where none is
         crowned.
+    film : FilmState or None
+        Oil film and asperities in the contacts; None without an oil whose traction is known.
     """
 
     normal: Array
@@ -153,6 +156,7 @@ class RollingResult(Module):
     duty_slip_ratios: Array
     residual: Array
     crown_creepage_factor: Array | None = None
+    film: FilmState | None = None
 
 
 def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
@@ -170,6 +174,11 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
     input_speed = xp.abs(xp.asarray(joint.input_speed))
     speeds, turns = trees.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
     friction = contact_friction(pairs=pairs, creep=creep, normal_force=normal, creepage=state.creepage)
+    limit = traction_limit(pairs=pairs, creep=creep, normal_force=normal)
+    slip_ratio = xp.abs(traction) / limit
+    oil: FilmState | None = None
+    if creep.oiled is not None:
+        oil = film_state(creep=creep.oiled, normal_force=normal, creepage=state.creepage, used=slip_ratio)
     tracks, per_turn, lives = _lives(joint, strips, unit)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * xp.pi)
     power = _power(joint, pairs, state, speeds, (friction.axial, creep.skew))
@@ -193,7 +202,7 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
         hysteresis_moment=state.hysteresis_moment,
         skew_drag=state.skew_drag,
         traction_coefficient=traction,
-        slip_ratio=xp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
+        slip_ratio=slip_ratio,
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
@@ -219,6 +228,7 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
         life_hours=_where(turns, trees.map(lambda life: life / xp.where(turns, turns_an_hour, 1.0), lives)),
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
+        film=oil,
         **_without_duty(state.speed_loss),
     )
     return _where(state.residual < ROLLING_TOLERANCE, result)
@@ -290,7 +300,7 @@ def _flash(
     first, second = places(joint.drive)
 
     def stick(coefficient: Array) -> Array:
-        ratio = coefficient / pairs.friction_coefficient
+        ratio = coefficient / friction.most
         return xp.asarray(stick_fraction(longitudinal_slip_ratio=ratio, lateral_slip_ratio=friction.lateral))
 
     stuck = in_middle = stick(traction)

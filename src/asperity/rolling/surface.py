@@ -40,7 +40,7 @@ def flash_temperatures(
 
     Shape (contacts, ...) [K].
     """
-    effusivities = [[_effusivity(material) for material in pair] for pair in materials]
+    effusivities = [[effusivity_of(material) for material in pair] for pair in materials]
     first, second = (
         xp.stack(xp.broadcast_arrays(*(xp.asarray(pair[side]) for pair in effusivities))) for side in (0, 1)
     )
@@ -59,7 +59,8 @@ def flash_temperatures(
     return xp.where(known, xp.where(slips, rise * factor, 0.0), xp.nan)
 
 
-def _effusivity(material: Material) -> Real:
+def effusivity_of(material: Material) -> Real:
+    """Thermal effusivity of a material [W s^0.5/(m^2 K)], nan where its thermal properties are not known."""
     if material.thermal_conductivity is None or material.specific_heat_capacity is None:
         return xp.full_like(xp.asarray(material.density, dtype=float), xp.nan)
     return thermal_effusivity(

@@ -28,7 +28,7 @@ def rolling_at(machine: JointMachine, without_torque: Pressed) -> Callable[[Arra
             laws=laws,
             rest=rest,
             load=rolling_load(loaded),
-            creep_of=creep_under(machine),
+            creep_of=creep_under(loaded),
         )
         return turning(loaded, rolling)
 

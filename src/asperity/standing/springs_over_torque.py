@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 from asperity.drive.layout.drive import driving_sense
-from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
 from asperity.drive.state.states import standing_state
 from asperity.drive.stiffness.network import SpringLaws
@@ -110,7 +109,7 @@ def _creep_slopes(machine: JointMachine, rolling: DriveState) -> tuple[Array, Ar
     one, two = surface_speeds(drive=machine.drive, speed=rolling.speed * machine.joint.input_speed)
 
     def creeps(normal: Array, tangential: Array) -> Array:
-        return creepages(law=law(normal, tangential).law, normal=normal, tangential=tangential)
+        return law(normal, tangential).creepage
 
     forces, ones = (rolling.normal, rolling.tangential), xp.ones_like(rolling.normal)
     _, by_normal = value_and_slope(creeps, forces, (ones, 0.0 * ones))

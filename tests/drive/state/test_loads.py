@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from steel_laws import steel_laws
 
+from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import (
     drag_levers,
     drag_pairs,
@@ -162,7 +163,8 @@ def test_a_planetary_drive_that_resists_by_hand(drives, rotation):
             return drags * (normal / normal), moments * (normal / normal)
 
         def creeps(law, brakes, normal, tangential):
-            return Creeping(law, brakes * (normal / normal))
+            creepage = creepages(law=law, normal=normal, tangential=tangential)
+            return Creeping(creepage, law.friction_coefficient * normal, brakes * (normal / normal))
 
         load = DriveLoad(
             10.0,

@@ -14,6 +14,7 @@ from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.layout.wedge_geometry import DriveGeometry
+from asperity.drive.state.creep import creepages
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -73,7 +74,9 @@ def creep_that_grows(law, normal, tangential):
     """Creep whose law and drag of skew depend on both forces."""
     grows = 1.0 + normal / 3000.0 + 0.4 * jnp.abs(tangential) / (law.friction_coefficient * normal)
     skew_drag = 1e-2 * normal * (1.0 + 1e-4 * tangential**2)
-    return Creeping(dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows), skew_drag)
+    grown = dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows)
+    creepage = creepages(law=grown, normal=normal, tangential=tangential)
+    return Creeping(creepage, law.friction_coefficient * normal, skew_drag)
 
 
 def resistance_that_grows(size, normal):

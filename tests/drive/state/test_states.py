@@ -10,6 +10,7 @@ import pytest
 from steel_laws import steel_laws
 
 from asperity.drive.layout.drive import incidence, speed_ratio
+from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, Creeping, DriveLoad
 from asperity.drive.state.states import loaded_state, rolling_state, state_at_rest
 
@@ -115,11 +116,17 @@ def test_gross_slip_is_not_a_state(solved):
     assert jnp.isfinite(solved("planetary", 10.0)[1].residual)
 
 
-def _grown(law, normal, tangential):
+def _grown_law(law, normal, tangential):
     """A creep law whose size depends on both forces."""
     used = jnp.abs(tangential) / (law.friction_coefficient * normal)
     grown = law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2)
-    return Creeping(dataclasses.replace(law, gross_slip_scale=grown), jnp.zeros_like(normal))
+    return dataclasses.replace(law, gross_slip_scale=grown)
+
+
+def _grown(law, normal, tangential):
+    """Creep by it."""
+    creepage = creepages(law=_grown_law(law, normal, tangential), normal=normal, tangential=tangential)
+    return Creeping(creepage, law.friction_coefficient * normal, jnp.zeros_like(normal))
 
 
 @pytest.mark.slow
@@ -144,7 +151,7 @@ def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives):
             return found.speed_loss, found
 
         def once_more(_, before):
-            around = dataclasses.replace(laws, creep=_grown(laws.creep, before.normal, before.tangential).law)
+            around = dataclasses.replace(laws, creep=_grown_law(laws.creep, before.normal, before.tangential))
             return rolling_state(
                 drive=drive, laws=around, interference=rest.interference, output_torque=torque, start=before
             )

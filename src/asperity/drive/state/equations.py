@@ -21,6 +21,7 @@ from asperity.drive.state.loads import (
 )
 from asperity.drive.state.state import (
     ContactLaws,
+    Creeping,
     CreepOf,
     DriveLoad,
     Resistance,
@@ -180,19 +181,24 @@ def no_force(drive: Drive) -> Array:
 
 
 class Responses(NamedTuple):
-    """Approach and slip at rest [m], creepage [-] and signed resistance in rolling of contacts, shape (contacts,)."""
+    """What contacts do under forces, shape (contacts,).
+
+    Approach and slip at rest [m], creepage [-], the largest tangential force that they bear [N], and signed resistance
+    in rolling.
+    """
 
     approach: Array
     slip: Array
     creepage: Array
+    capacity: Array
     resistance: Resistance
 
 
 def responses_of(approach: Array, *others: Array) -> Responses:
     """Responses of contacts, zeros for those that are not given, shape (contacts,)."""
     nothing = xp.zeros_like(approach)
-    slip, creepage = others or (nothing, nothing)
-    return Responses(approach, slip, creepage, Resistance(nothing, nothing, nothing))
+    slip, creepage, capacity = others or (nothing, nothing, nothing)
+    return Responses(approach, slip, creepage, capacity, Resistance(nothing, nothing, nothing))
 
 
 def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
@@ -201,31 +207,27 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
     Without what bodies that bend add to the approaches of each other's contacts, and without slip and creep where
     only the assembled drive is sought.
     """
-    laws, creep = machine.laws, machine.laws.creep
+    laws = machine.laws
     approach = contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal)
     if known_kind(task) == ASSEMBLED:
         return responses_of(approach)
-    skew_drag = xp.zeros_like(normal)
-    if machine.creep_of is not None:
-        law, known = machine.creep_of, creep.gross_slip_scale
-
-        def under_forces() -> tuple[Array, Array]:
-            creeping = law(normal, tangential)
-            return xp.asarray(creeping.law.gross_slip_scale), creeping.skew_drag
-
-        scale, skew_drag = cond(
-            (xp.asarray(task.kind) == ROLLING) & ~xp.asarray(task.by_laws),
-            under_forces,
-            lambda: (xp.asarray(known), skew_drag),
-        )
-        creep = dataclasses.replace(creep, gross_slip_scale=scale)
     kind, nothing = known_kind(task), xp.zeros_like(approach)
-    responses = responses_of(
-        approach,
-        nothing if kind == ROLLING else slip_at_rest(laws=laws, normal=normal, tangential=tangential),
-        nothing if kind == STANDING else creepages(law=creep, normal=normal, tangential=tangential),
-    )
-    return responses._replace(resistance=_resistance(machine.drive, task, normal, skew_drag))
+    bears = machine.friction * normal
+    slip = nothing if kind == ROLLING else slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    if kind == STANDING:
+        return responses_of(approach, slip, nothing, bears)
+
+    def by_laws() -> Creeping:
+        return Creeping(creepages(law=laws.creep, normal=normal, tangential=tangential), bears, nothing)
+
+    law = machine.creep_of
+    if law is None:
+        creeping = by_laws()
+    else:
+        under_forces = (xp.asarray(task.kind) == ROLLING) & ~xp.asarray(task.by_laws)
+        creeping = cond(under_forces, lambda: law(normal, tangential), by_laws)
+    responses = responses_of(approach, slip, creeping.creepage, creeping.capacity)
+    return responses._replace(resistance=_resistance(machine.drive, task, normal, creeping.skew_drag))
 
 
 def _resistance(drive: Drive, task: Task, normal: Array, skew_drag: Array) -> Resistance:
@@ -270,7 +272,7 @@ def state_misfits(
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = xp.asarray(task.kind)
 
-    approach, slip, creep, resistance = responses
+    approach, slip, creep, _, resistance = responses
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
     pressed = None

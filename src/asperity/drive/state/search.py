@@ -342,7 +342,7 @@ def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
     speed, turned = speeds_and_turns(machine, x, task.kind)
     rolls = xp.where(xp.asarray(task.kind) == ROLLING, 1.0, 0.0)
     misfits = state_misfits(machine, task, False, slides, x, responses)
-    within = xp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
+    within = xp.abs(tangential) <= responses.capacity * (1.0 + SLIP_TOLERANCE)
     carried = xp.all((normal > 0.0) & within)
     worst = _worst(misfits.all._replace(interference=xp.zeros(1)))
     worst = xp.maximum(worst, xp.max(slides * misfits.held))  # what slides less than its law must hold

@@ -32,13 +32,16 @@ class Creeping(NamedTuple):
 
     Parameters
     ----------
-    law : CreepLaw
-        Their creep law.
+    creepage : Array
+        Their creepages, shape (contacts,) [-].
+    capacity : Array
+        Largest tangential forces that they bear while they roll, shape (contacts,) [N].
     skew_drag : Array
         Size of the drag of skew on each surface, as in :class:`Resistance`, shape (contacts,) [N].
     """
 
-    law: CreepLaw
+    creepage: Array
+    capacity: Array
     skew_drag: Array
 
 
