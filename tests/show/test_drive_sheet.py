@@ -13,12 +13,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.stated_parts import stated_parts
-from asperity.show.drive_sheet import drive_sheet, wrapped
+from asperity.show.box import Box, text_box
+from asperity.show.drive_sheet import drive_sheet
 from asperity.show.drive_sizes import drive_clearances, sizes
 from asperity.show.sheet import Circle, Line, Text
 from asperity.show.sheet_dxf import dxf_text, sheet_dxf
-from asperity.show.sheet_figure import sheet_figure, text_width
-from asperity.show.taken import Box, distance, text_box
+from asperity.show.sheet_figure import sheet_figure
+from asperity.show.taken import distance
 from asperity.show.title_block import Title
 
 EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "wheel_pair")
@@ -180,18 +181,17 @@ def test_a_sheet_states_tolerances_materials_crowns_and_surfaces(planar_case):
     drawn = drive_sheet(
         joint, name="a.toml", stated=stated_parts(case, joint), title=Title(revision="B"), section=True
     )
-    assert (drawn.width, drawn.height) == (420.0, 297.0)
     assert {
         "sun ⌀20.0000 ±0.0040 (IT4)",
         "3 × planet ⌀40.0000 ±0.0060 (IT5)",
         "ring inside ⌀99.9400 ±0.0040 (IT3)",
         "axes of planet ⌀60",
         "sp, pr: 10.000 ±0.050",
-        "3 × planet: 52100, hardness 746 HV, of steel 62 HRC",
-        "Section along the axis,",
+        "A–A developed",
         "B",
     } <= set(drawn.texts)
     said = joined(drawn.texts)
+    assert "3 × planet: 52100, hardness 746 HV, of steel 62 HRC" in said
     assert "crown of track sp, pr: radius 4000 along the axis" in said
     assert "surface of all contacts: Ra 0.2 µm, its partner Ra 0.1 µm" in said
 
@@ -285,12 +285,12 @@ def test_a_size_without_room_stays_in_the_list(sheet):
 
 
 def test_a_thick_wall_is_broken_off_and_bores_are_drawn(sheet):
-    """30 mm around an inner radius of 50 mm: drawn up to 65 mm; planets with a bore of 26 mm."""
+    """30 mm around an inner radius of 50 mm: drawn up to 60 mm; planets with a bore of 26 mm."""
     drawn = sheet("planetary_hollow")
     assert sorted({round(circle.radius, 6) for circle in outlines(drawn)}) == [10.0, 13.0, 20.0, 50.0]
     (wavy,) = [item for item in drawn.items if isinstance(item, Line) and len(item.points) > 9]
     radii = np.hypot(*np.array(wavy.points).T)
-    assert radii.mean() == pytest.approx(65.0, rel=1e-3)
+    assert radii.mean() == pytest.approx(60.0, rel=1e-3)
 
 
 def test_axes_go_through_the_centres(sheet):
@@ -365,20 +365,3 @@ def test_a_long_list_is_written_smaller(idlers_case):
             ._replace(low=one.at[1])
             .meets(text_box(other, drawn.scale)._replace(high=other.at[1] + other.height / drawn.scale))
         )
-
-
-@pytest.mark.parametrize(
-    "text",
-    ["sp: sun – planet", "the right hand loading roller of hardened steel: ⌀10, axes on ⌀70", "x" * 90, "ab_" * 40,
-     "–  left to left 50.62", ""],
-)  # fmt: skip
-@pytest.mark.parametrize("width", [40.0, 87.0])
-def test_no_line_is_too_wide_and_no_letter_is_lost(text, width):
-    lines = wrapped(text, width)
-    assert all(text_width(line) <= width for line in lines)
-    assert "".join("".join(lines).split()) == "".join(text.split())
-
-
-def test_lines_break_between_words_and_names():
-    assert wrapped("a roller on pins", 20.0) == ["a roller on", "   pins"]
-    assert all(line.endswith("_") for line in wrapped("loading_" * 8, 60.0))

@@ -5,10 +5,11 @@ import math
 import pytest
 
 from asperity.joint_file.build import joint_from_case
+from asperity.show.box import Box
 from asperity.show.drive_sizes import contact_interferences, drive_clearances, place_dimensions, sizes
 from asperity.show.drive_view import drive_view, reach_of
 from asperity.show.sheet import Circle, Text
-from asperity.show.taken import Box, Taken
+from asperity.show.taken import Taken
 
 # multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
 FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
@@ -169,7 +170,7 @@ def placed(planar_case):
             sizes(joint, scale),
             drive_clearances(joint),
             outlines,
-            reach=reach_of(joint),
+            view=Box(-reach_of(joint), reach_of(joint), -reach_of(joint), reach_of(joint)),
             paper=paper,
             taken=Taken(scale, paper),
             listed=listed,

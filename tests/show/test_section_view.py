@@ -63,7 +63,8 @@ def test_lengths_are_those_of_contacts_and_of_longer_bodies(joint):
     assert {length.words: length.right - length.left for length in section.lengths} == pytest.approx(
         {"sp: 9": 9.0, "pr: 12": 12.0}
     )
-    assert sorted(block.right - block.left for block in section.blocks) == pytest.approx([9.0, 12.0, 14.0])
+    above = [block for block in section.blocks if block.high > 0.0]
+    assert sorted(block.right - block.left for block in above) == pytest.approx([9.0, 12.0, 14.0])
     assert section.width == pytest.approx(14.0)
 
 
@@ -80,18 +81,59 @@ def test_a_ring_is_cut_twice_and_a_bore_is_seen(joint):
         (50.0, 80.0),
     ]
     planet = body_section(made, 1, 1.0)
-    assert sorted(edge[0] for edge in planet.edges) == [-13.0, 13.0]
+    assert sorted((block.low, block.high, block.hatched) for block in planet.blocks) == [
+        (-20.0, -13.0, -1),
+        (-13.0, 13.0, 0),
+        (13.0, 20.0, -1),
+    ]
 
 
 def test_hatching_stays_in_the_wall_at_45_degrees(joint):
     section = drive_section(joint("planetary"), 1.0)
-    (wall,) = [block for block in section.blocks if block.hatched]
+    walls = [block for block in section.blocks if block.hatched]
+    assert [(wall.low, wall.high) for wall in walls] == [(50.0, 58.0), (-58.0, -50.0)]
     items, dimensions = draw_section(section, 0.0, low=-2.0, scale=1.0)
     hatching = [item.points for item in items if isinstance(item, Line) and item.style == "thin"]
-    assert len(hatching) > 3
+    assert len(hatching) > 6
     for (x, y), (u, v) in hatching:
-        assert y - v == pytest.approx(u - x)
-        for a, b in ((x, y), (u, v)):
-            assert wall.left - 1e-9 <= a <= wall.right + 1e-9
-            assert wall.low - 1e-9 <= b <= wall.high + 1e-9
+        assert v - y == pytest.approx(u - x)
+        assert any(
+            wall.left - 1e-9 <= min(x, u) <= max(x, u) <= wall.right + 1e-9
+            and wall.low - 1e-9 <= min(y, v) <= max(y, v) <= wall.high + 1e-9
+            for wall in walls
+        )
     assert [math.dist(*dimension.ends) for dimension in dimensions] == pytest.approx([10.0])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_section_is_the_same_on_both_sides_of_the_axis_except_in_a_frame(joint, name):
+    made = joint(name)
+    blocks = {(b.low, b.high, b.left, b.right, abs(b.hatched)) for b in drive_section(made, 1.0).blocks}
+    mirrored = {(-high, -low, *others) for low, high, *others in blocks}
+    assert (mirrored == blocks) == (not made.drive.layout.in_frame)
+
+
+def test_the_bore_of_a_ring_is_seen_where_no_roller_hides_it(joint):
+    """The small tracks of the second row end 9.4 mm before their axes; between them the ring is open."""
+    made = joint("multiroller")
+    section = drive_section(made, 1.0)
+    second_row = max(heights(made)[body] for body in heights(made) if body != len(made.drive.bodies) - 1)
+    (ring,) = {(b.left, b.right) for b in section.blocks if b.hatched}
+    assert sorted(section.edges) == [
+        (pytest.approx((x, -second_row + 9.4)), pytest.approx((x, second_row - 9.4))) for x in ring
+    ]
+
+
+HOUSED = {
+    'ring_support = "free"': 'ring_support = "rigid_housing"',
+    "[load]": '[housing]\nouter_diameter = "150 mm"\ninterference = "60 um"\nfriction_coefficient = 0.12\n\n[load]',
+    'ring = "52100"': 'ring = "52100"\nhousing = "52100"',
+}
+
+
+def test_a_housing_is_cut_around_its_ring_and_hatched_the_other_way(joint):
+    """A wall of 8 mm around 50 mm, in a housing of 150 mm."""
+    section = drive_section(joint("planetary", HOUSED), 1.0)
+    cut = {(block.low, block.high): block.hatched for block in section.blocks if block.hatched}
+    assert cut[50.0, 58.0] == -cut[58.0, 75.0] != 0
+    assert cut[-58.0, -50.0] == -cut[-75.0, -58.0] != 0

@@ -95,6 +95,11 @@ def widths_below(widths: Iterable[tuple[float, str]], low: float, *, scale: floa
     ]
 
 
+def room_below(rows: int) -> float:
+    """Height of so many dimension lines below a view [mm on paper]."""
+    return rows * _ROW + 2.0 * _BEYOND if rows else 0.0
+
+
 def distance_mark(ends: tuple[Point, Point], *, scale: float) -> tuple[Line, ...]:
     """A dimension line between two points: its arrows inside, or outside where it is short on paper."""
     (x, y), (u, v) = ends

@@ -12,21 +12,25 @@ from asperity.drive.layout.existence import neighbours
 from asperity.joint.description import Joint, places
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedPart
+from asperity.show.box import Box, text_box
 from asperity.show.dimension_lines import (
     diameter,
     dimension,
     distance_mark,
     made_bore,
+    room_below,
     toleranced,
     widths_below,
 )
 from asperity.show.drive_view import MOST_GAPS, RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
-from asperity.show.sheet import Circle, Dimension, Item, Line, Point
-from asperity.show.taken import Box, Place, Side, Taken, around, best_leader, distance, levels
+from asperity.show.sheet import Circle, Dimension, Item, Line, Point, Text
+from asperity.show.sheet_figure import text_width
+from asperity.show.taken import Place, Side, Taken, around, best_leader, distance, levels
 
 _MOST_COPIES = 8
 _OF_ROLLER, _OF_AXES, _OF_WALL = 24, 72, 36  # places around a circle
 _BESIDE = 9.0  # of texts from the view [mm on paper]
+_OF_TEXT = 3.0  # around a text at its leader [mm on paper]
 _OTHER_SIDE = 12.0  # what a leader to the side that is not the usual one costs [mm on paper]
 
 
@@ -284,18 +288,19 @@ def place_dimensions(
     clearances: Sequence[Clearance],
     outlines: list[Circle],
     *,
-    reach: float,
+    view: Box,
     paper: Box,
     taken: Taken,
     listed: frozenset[int] = frozenset(),
+    letters: str = "ABC",
 ) -> Dimensions:
-    """Show sizes where they cover nothing."""
+    """Show sizes where they cover nothing: below or beside a ``view`` and within the ``paper`` that it has."""
     scale, items, measured = taken.scale, list[Item](), list[Dimension]()
     waiting = [number for number in range(len(sizes)) if number not in listed]
     rows: list[tuple[float, str]] = []
     for radius, number in sorted((sizes[n].radius or 0.0, n) for n in waiting if sizes[n].below):
         row = (radius, sizes[number].label)
-        below = widths_below([*rows, row], -reach, scale=scale)[-1]
+        below = widths_below([*rows, row], view.low, scale=scale)[-1]
         if taken.has_room(below.items):
             rows.append(row)
             taken.add(below.items[:2], crossable=True)
@@ -304,19 +309,19 @@ def place_dimensions(
             items += below.items
             waiting.remove(number)
     heights = levels(paper.low, paper.high, scale)
-    beside = reach + _BESIDE / scale
-    right, left = Side(beside, "left", heights), Side(-beside, "right", heights)
-    letters: dict[int, str] = {}
+    right = Side(view.right + _BESIDE / scale, "left", heights)
+    left = Side(view.left - _BESIDE / scale, "right", heights)
+    lettered: dict[int, str] = {}
     for number, gap in enumerate(clearances):
-        if len(letters) == MOST_GAPS:
+        if len(lettered) == len(letters):
             break
-        letter = "ABC"[len(letters)]
+        letter = letters[len(lettered)]
         text = f"{letter} {gap.size:.4g}"
         leader = gap.places and best_leader(
             text, gap.places, (right._replace(handicap=_OTHER_SIDE), left), outlines, taken
         )
         if leader:
-            letters[number] = letter
+            lettered[number] = letter
             taken.add(leader)
             items += leader
             measured.append(Dimension(_marked(leader), tuple(leader)))
@@ -333,7 +338,28 @@ def place_dimensions(
             measured.append(Dimension(ends, tuple(leader), diameter=size.radius is not None))
         else:
             unplaced.add(number)
-    return Dimensions(items, frozenset(unplaced), letters, measured)
+    return Dimensions(items, frozenset(unplaced), lettered, measured)
+
+
+def room_of_dimensions(
+    sizes: Sequence[Size],
+    clearances: Sequence[Clearance],
+    listed: frozenset[int],
+    *,
+    right: float,
+    scale: float,
+) -> tuple[float, float, float]:
+    """Room for dimensions left, right and below a view, whose right edge is at ``right`` [mm]: on paper [mm]."""
+    shown = [size for number, size in enumerate(sizes) if number not in listed]
+    gaps = [text_width(f"A {gap.size:.4g}") for gap in clearances if gap.places][:MOST_GAPS]
+    beside = [_BESIDE + _OF_TEXT + text_width(size.label) for size in shown if not size.below]
+    rows = [(size.radius or 0.0, size.label) for size in shown if size.below]
+    beside += [
+        scale * (text_box(row.items[-1], scale).right - right)
+        for row in widths_below(rows, 0.0, scale=scale)
+        if isinstance(row.items[-1], Text)
+    ]
+    return _BESIDE + _OF_TEXT + max(gaps) if gaps else 0.0, max(beside, default=0.0), room_below(len(rows))
 
 
 def _marked(leader: Sequence[Item]) -> tuple[Point, Point]:

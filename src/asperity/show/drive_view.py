@@ -10,13 +10,15 @@ import numpy as np
 
 from asperity.drive.layout.drive import contact_angles
 from asperity.joint.description import Joint, places, tracks_of
+from asperity.joint.housing import seated
+from asperity.show.box import text_box
 from asperity.show.sheet import Circle, Item, Line, Point, Text
-from asperity.show.taken import Taken, text_box
+from asperity.show.taken import Taken
 
 #: Wall over inner radius of the ring from which on the drawing breaks it off.
 LONGEST_WALL = 0.5
 #: How much of a wall that is broken off is drawn, over the inner radius.
-SHOWN_OF_BROKEN = 0.3
+SHOWN_OF_BROKEN = 0.2
 _WAVES = 24
 #: How many clearances are drawn.
 MOST_GAPS = 3
@@ -71,6 +73,13 @@ def rings_of(joint: Joint) -> list[RingOfBody]:
     return rings
 
 
+def housing_of(joint: Joint, ring: RingOfBody) -> float | None:
+    """Outer radius of the housing that holds a ring [mm]; None without one, or if the ring is broken off before it."""
+    if joint.housing is None or not seated(joint)[ring.body] or ring.shown < ring.outer:
+        return None
+    return 1e3 * float(joint.housing.outer_radius)
+
+
 def radii_of(joint: Joint, number: int) -> list[float]:
     """Radii of the tracks of a body [mm]."""
     return list(dict.fromkeys(1e3 * float(radius) for radius, _ in tracks_of(joint, number)))
@@ -99,7 +108,7 @@ def reach_of(joint: Joint) -> float:
     rings = rings_of(joint)
     discs = [n for n in range(len(joint.shapes)) if n not in {ring.body for ring in rings}]
     return max(
-        *(ring.shown for ring in rings),
+        *(housing_of(joint, ring) or ring.shown for ring in rings),
         *(math.hypot(*copies_of(joint, n)[0]) + max(radii_of(joint, n)) for n in discs),
         0.0,
     )
@@ -116,6 +125,8 @@ def drive_view(joint: Joint, scale: float) -> list[Item]:
             broken = ring.shown < ring.outer
             items.append(Circle((0.0, 0.0), ring.inner))
             items.append(break_line(ring.inner, ring.shown) if broken else Circle((0.0, 0.0), ring.shown))
+            housing = housing_of(joint, ring)
+            items += [] if housing is None else [Circle((0.0, 0.0), housing)]
         if mine:
             continue
         radii, bore = radii_of(joint, number), joint.shapes[number].bore_diameter

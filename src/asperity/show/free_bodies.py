@@ -11,18 +11,24 @@ from asperity.drive.layout.drive import Drive, contact_angles, driving_sense
 from asperity.joint.body_shape import BodyShape
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
+from asperity.show.box import Box, around_all, box_of, text_box
+from asperity.show.sheet import TEXT_HEIGHT, Align, Circle, Item, Line, Point, Text
 from asperity.units import format_quantity
 
 _BEYOND = 13.0  # of a label beyond its contact on paper [mm]
 _LINE_SPACING = 4.2
 _ROOM_FOR_NAME = 12.0  # least radius of a body with its name in it [mm]
 _FOR_LABELS = 24.0  # beside a row of bodies [mm]
-_LETTER = 2.0  # width of a letter, on the wide side [mm]
+#: Where the letter of an arrow is tried: beyond its free end, and to its side, from that end [mm].
+_AT_ARROW = (
+    *((2.2, 0.0), (1.5, 2.0), (1.5, -2.0), (0.0, 2.5), (0.0, -2.5)),
+    *((-4.0, 2.6), (-4.0, -2.6), (-7.0, 2.6), (-7.0, -2.6), (4.0, 0.0), (3.0, 3.0), (3.0, -3.0)),
+)
 #: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
 _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
 _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 _ARROW = 10.0  # length of an arrow on paper [mm]
+_BESIDE_LETTER = 1.0  # to each side of a text [mm]
 #: Between two bodies on paper [mm].
 BODY_DISTANCE = 26.0
 _LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
@@ -50,13 +56,15 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
         for k in contacts
     }
     centres = _centres(joint, names, forces, {name: max(sizes) for name, sizes in radii.items()}, room)
+    drawn = [force for force in forces if force.size != 0.0]
     arrows = [
-        force_arrow(f, centres[f.body], of_contact.get((f.body, f.name), max(radii[f.body])))
-        for f in forces
-        if f.size != 0.0
+        force_arrow(f, centres[f.body], of_contact.get((f.body, f.name), max(radii[f.body]))) for f in drawn
     ]
     bodies = {name: (centres[name], max(sizes)) for name, sizes in radii.items()}
-    labels = _Labels(list(bodies.values()), arrows)
+    outlines = [Circle(centres[name], radius) for name, sizes in radii.items() for radius in sizes]
+    labels = _Labels(list(bodies.values()), arrows, outlines)
+    for force, (tail, tip) in zip(drawn, arrows, strict=True):
+        labels.letter(force.kind, *((tip, tail) if force.kind == "N" else (tail, tip)))
     for name, (centre, radius) in bodies.items():
         words = name.replace("_", " ")
         if min(radii[name]) > _ROOM_FOR_NAME and not drive.layout.in_frame:  # no arrow points into it
@@ -65,9 +73,11 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
             labels.find((words,), centre, radius, (0.0, 1.0))
     for contact in joint.drive.contacts:
         here = [force for force in forces if force.name == contact.name and force.size != 0.0]
-        if here:  # its partner, if it is drawn, has the same numbers
-            lines = tuple(force_label(force) for force in here if force.body == here[0].body)
-            labels.find(lines, *bodies[here[0].body], here[0].place)
+        for body in dict.fromkeys(force.body for force in here):
+            mine = [force for force in here if force.body == body]
+            # its partner has the same numbers
+            lines = tuple(map(force_label, mine)) if body == here[0].body else (contact.name,)
+            labels.find(lines, *bodies[body], mine[0].place)
     for force in forces:
         if force.kind == "F" and force.size != 0.0:
             towards = (-force.direction[0], -force.direction[1]) if force.size > 0.0 else force.direction
@@ -82,11 +92,7 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
         )
 
     return [
-        *(
-            Circle(on_sheet(*centres[name]), radius / scale)
-            for name, sizes in radii.items()
-            for radius in sizes
-        ),
+        *(Circle(on_sheet(*circle.centre), circle.radius / scale) for circle in outlines),
         *(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows),
         *(Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts),
     ]
@@ -107,22 +113,34 @@ def _bore(shape: BodyShape) -> list[float]:
 class _Labels:
     """Texts on paper that cover neither bodies and arrows nor each other, as far as there is room."""
 
-    def __init__(self, bodies: list[tuple[Point, float]], arrows: list[tuple[Point, Point]]) -> None:
+    def __init__(
+        self, bodies: list[tuple[Point, float]], arrows: list[tuple[Point, Point]], outlines: list[Circle]
+    ) -> None:
         self.texts: list[Text] = []
-        self._bodies = bodies
-        self._points = [
-            (tail[0] + share * (tip[0] - tail[0]), tail[1] + share * (tip[1] - tail[1]))
-            for tail, tip in arrows
-            for share in (0.0, 0.25, 0.5, 0.75, 1.0)
-        ]
-        self._boxes: list[tuple[float, float, float, float]] = []
+        self._bodies, self._arrows, self._outlines = bodies, arrows, outlines
+        self._boxes: list[Box] = []
 
     @property
-    def extent(self) -> tuple[float, float, float, float]:
-        """Left, right, lower and upper edge of all bodies and texts."""
-        boxes = [*self._boxes, *((x - r, x + r, y - r, y + r) for (x, y), r in self._bodies)]
-        left, right, low, high = zip(*boxes, strict=True)
-        return min(left), max(right), min(low), max(high)
+    def extent(self) -> Box:
+        """The box around all bodies, arrows and texts."""
+        drawn: list[Item] = [*self._outlines, *(Line(ends) for ends in self._arrows)]
+        return around_all([*self._boxes, *(box_of(item, 1.0) for item in drawn)])
+
+    def letter(self, letter: str, start: Point, end: Point) -> None:
+        """Write the letter of an arrow at its free end, or beside it."""
+        far = math.dist(start, end)
+        e, f = (end[0] - start[0]) / far, (end[1] - start[1]) / far
+        tried: list[tuple[int, int, Text, Box]] = []
+        for along, across in _AT_ARROW:
+            x, y = end[0] + along * e - across * f, end[1] + along * f + across * e
+            text = Text((x, y - 0.5 * TEXT_HEIGHT), letter, "center")
+            box = text_box(text, 1.0)
+            crossed = sum(box.is_crossed_by(*arrow) for arrow in self._arrows)
+            crossed += sum(_crosses(box, circle) for circle in self._outlines)
+            tried.append((crossed + sum(box.meets(other) for other in self._boxes), len(tried), text, box))
+        _, _, text, box = min(tried, key=lambda each: each[:2])
+        self.texts.append(text)
+        self._boxes.append(box._replace(left=box.left - _BESIDE_LETTER, right=box.right + _BESIDE_LETTER))
 
     def write(self, lines: tuple[str, ...], at: Point, align: Align) -> None:
         """Write lines below each other, the first at a place."""
@@ -143,18 +161,26 @@ class _Labels:
         ]
         self.write(lines, *(free or _beside(lines, centre, radius + _BEYOND, angle))[0])
 
-    def _is_free(self, box: tuple[float, float, float, float]) -> bool:
-        left, right, low, high = box
-        covers = any(left < x < right and low < y < high for x, y in self._points)
-        crosses = any(
-            math.hypot(max(left - x, x - right, 0.0), max(low - y, y - high, 0.0)) < radius
-            for (x, y), radius in self._bodies
+    def _is_free(self, box: Box) -> bool:
+        """Whether a text may stand there."""
+        return not (
+            any(box.is_crossed_by(*arrow) for arrow in self._arrows)
+            or any(_distance(box, centre) < radius for centre, radius in self._bodies)
+            or any(box.meets(other) for other in self._boxes)
         )
-        meets = any(
-            left < other[1] and other[0] < right and low < other[3] and other[2] < high
-            for other in self._boxes
-        )
-        return not (covers or crosses or meets)
+
+
+def _distance(box: Box, point: Point) -> float:
+    """Distance of a box from a point, 0 within it."""
+    x, y = point
+    return math.hypot(max(box.left - x, x - box.right, 0.0), max(box.low - y, y - box.high, 0.0))
+
+
+def _crosses(box: Box, circle: Circle) -> bool:
+    """Whether the line of a circle runs through a box."""
+    x, y = circle.centre
+    far = math.hypot(max(x - box.left, box.right - x), max(y - box.low, box.high - y))
+    return _distance(box, circle.centre) < circle.radius < far
 
 
 def _beside(lines: tuple[str, ...], centre: Point, far: float, angle: float) -> list[tuple[Point, Align]]:
@@ -164,11 +190,13 @@ def _beside(lines: tuple[str, ...], centre: Point, far: float, angle: float) -> 
     return [(at, "left" if math.cos(angle) > -1e-9 else "right")]
 
 
-def _box(lines: tuple[str, ...], at: Point, align: Align) -> tuple[float, float, float, float]:
-    """Left, right, lower and upper edge of lines, with a margin [mm]."""
-    wide = _LETTER * max(map(len, lines))
-    left = at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[align] * wide
-    return left - 1.0, left + wide + 1.0, at[1] - _LINE_SPACING * (len(lines) - 1) - 1.2, at[1] + 3.5
+def _box(lines: tuple[str, ...], at: Point, align: Align) -> Box:
+    """The box around lines of text, with what it keeps free [mm]."""
+    box = around_all(
+        text_box(Text((at[0], at[1] - _LINE_SPACING * row), line, align), 1.0)
+        for row, line in enumerate(lines)
+    )
+    return box._replace(left=box.left - _BESIDE_LETTER, right=box.right + _BESIDE_LETTER)
 
 
 def _centres(
@@ -289,4 +317,6 @@ def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, 
 def force_label(force: BodyForce) -> str:
     """Name and size of a force."""
     size = format_quantity(abs(force.size), "N")
-    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"{force.name}: {size}"}[force.kind]
+    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"{force.name}: F = {size}"}[
+        force.kind
+    ]

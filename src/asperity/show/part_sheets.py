@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import math
+import functools
 
 from asperity.hardness_scales import hardness_words
-from asperity.joint.description import Joint, places, tracks_of
+from asperity.joint.description import Joint, body_masses, places, tracks_of
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedParts
+from asperity.show.arrangement import Room, arrange
+from asperity.show.box import around_all, box_of
 from asperity.show.dimension_lines import diameter, dimension, toleranced
-from asperity.show.drive_sheet import PLAIN, Paper, crown_lines, wrapped_texts
+from asperity.show.drive_notes import crown_lines
 from asperity.show.drive_sizes import (
     Size,
     contact_interferences,
@@ -17,27 +19,23 @@ from asperity.show.drive_sizes import (
     kinds,
     made_inside,
     place_dimensions,
+    room_of_dimensions,
 )
 from asperity.show.drive_view import cross, radii_of, rings_of
 from asperity.show.section_view import body_section, draw_section
-from asperity.show.sheet import Circle, Item, Sheet, standard_scale
+from asperity.show.sheet import Circle, Dimension, Item, Sheet
 from asperity.show.taken import Taken, around
 from asperity.show.title_block import Title
 from asperity.units import format_quantity
 
-_VIEW, _SECTION, _MIDDLE = (
-    90.0,
-    30.0,
-    (128.0, 120.0),
-)  # room and place of the view, room of the section on paper [mm]
-_LEFT = 24.0  # edge of the section on paper [mm]
+_BEYOND_AXES = 4.0  # of a view, with its axes [mm on paper]
 _OF_CIRCLE = 36
 
 
 def part_sheets(
     joint: Joint, *, name: str, stated: StatedParts, title: Title, interference: float | None = None
 ) -> dict[str, Sheet]:
-    """Name of the first body of each kind → its sheet, A4 across; the assembly is the sheet before.
+    """Name of the first body of each kind → its sheet, mostly A4; the assembly is the sheet before.
 
     ``interference`` as for :func:`asperity.show.drive_sheet.drive_sheet`.
     """
@@ -60,41 +58,70 @@ def _part_sheet(
     title: Title,
     interference: float | None,
 ) -> Sheet:
+    """The sheet of one part: section and view at one height, and what finds no room in them beside them."""
     sizes = _sizes(joint, body, stated, interference)
-    reach = max(size.radius or 0.0 for size in sizes)
-    flat = body_section(joint, body, math.inf)
-    scale = standard_scale(max(2.0 * reach, flat.width * _VIEW / _SECTION), room=_VIEW)
-    paper = Paper(*PLAIN[:2], PLAIN[3], _MIDDLE, scale)
-    section, lengths = draw_section(
-        body_section(joint, body, scale, stated.bodies[body].length),
-        paper.at(_LEFT, 0.0)[0],
-        low=-reach - 2.0 / scale,
-        scale=scale,
-    )
     circles = [Circle((0.0, 0.0), size.radius) for size in sizes if size.radius is not None]
-    listed: frozenset[int] = frozenset()
+    outlined = around_all(box_of(circle, 1.0) for circle in circles)
     lines = _lines(joint, body, stated, interference)
+    listed: frozenset[int] = frozenset()
     while True:
-        unsaid = [sizes[number].listed for number in sorted(listed)]
-        beside = wrapped_texts(paper, [*unsaid, *lines])
-        taken = Taken(scale, paper.inside)
-        taken.add_areas(beside)
+        arranged = arrange(
+            functools.cache(functools.partial(_rooms, joint, body, stated, sizes, listed)),
+            [*(sizes[number].listed for number in sorted(listed)), *lines],
+            origin=1,
+            what=words,
+            size=outlined.width,
+        )
+        paper, scale = arranged.paper, arranged.paper.scale
+        room = paper.box(arranged.boxes[1])
         placed = place_dimensions(
-            sizes, [], circles, reach=reach, paper=paper.inside, taken=taken, listed=listed
+            sizes, [], circles, view=outlined, paper=room, taken=Taken(scale, room), listed=listed
         )
         if not placed.unplaced:
             break
         listed |= placed.unplaced
-    items: list[Item] = [
-        *circles,
-        *cross((0.0, 0.0), reach + 3.0 / scale, 0.0),
-        *placed.items,
-        *section,
-        *beside,
+    cut, lengths = _section_items(joint, body, stated, scale, paper.at(*arranged.origins[0])[0])
+    front = [*circles, *cross((0.0, 0.0), outlined.right + 3.0 / scale, 0.0), *placed.items]
+    groups = [front, cut, arranged.note_items()]
+    return Sheet(
+        paper.width,
+        paper.height,
+        scale,
+        paper.middle,
+        (*(item for group in groups for item in group), *paper.block(words, name, title)),
+        (*placed.measured, *lengths),
+        (*(paper.boxed(group) for group in groups), paper.title_box),
+    )
+
+
+def _rooms(
+    joint: Joint, body: int, stated: StatedParts, sizes: list[Size], listed: frozenset[int], scale: float
+) -> list[Room]:
+    """The rooms of section and view at a scale."""
+    cut, _ = _section_items(joint, body, stated, scale, 0.0)
+    left, right_end, low, high = (scale * edge for edge in around_all(box_of(item, scale) for item in cut))
+    along = body_section(joint, body, scale)
+    reach = scale * max(size.radius or 0.0 for size in sizes)
+    _, right, below = room_of_dimensions(sizes, [], listed, right=reach / scale, scale=scale)
+    return [
+        Room(left, right_end, low, high, (scale * along.width, scale * (along.height + along.depth))),
+        Room(
+            -reach - _BEYOND_AXES,
+            reach + max(_BEYOND_AXES, right),
+            -reach - max(_BEYOND_AXES, below),
+            reach + _BEYOND_AXES,
+            (2.0 * reach, 2.0 * reach),
+        ),
     ]
-    items += [item for length in lengths for item in length.items]
-    items += paper.block(words, name, title)
-    return Sheet(paper.width, paper.height, scale, _MIDDLE, tuple(items), (*placed.measured, *lengths))
+
+
+def _section_items(
+    joint: Joint, body: int, stated: StatedParts, scale: float, x: float
+) -> tuple[list[Item], list[Dimension]]:
+    """The section that begins at a place along the axis [mm], and its lengths."""
+    along = body_section(joint, body, scale, stated.bodies[body].length)
+    items, lengths = draw_section(along, x, low=-along.depth - 2.0 / scale, scale=scale)
+    return [*items, *(item for length in lengths for item in length.items)], lengths
 
 
 def _sizes(joint: Joint, body: int, stated: StatedParts, interference: float | None) -> list[Size]:
@@ -123,6 +150,7 @@ def _lines(joint: Joint, body: int, stated: StatedParts, interference: float | N
         f"material {part.material}",
         f"hardness {hardness_words(pressure=float(material.hardness))}",
         f"yield strength {format_quantity(float(material.yield_strength), 'MPa')}",
+        f"mass {format_quantity(float(body_masses(joint)[body]), 'g')}",
         *crown_lines(stated, body),
     ]
     _, second = places(joint.drive)

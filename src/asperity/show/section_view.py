@@ -11,8 +11,8 @@ import numpy as np
 
 from asperity.joint.description import Joint, contact_values, places, track_lengths, tracks_of
 from asperity.show.dimension_lines import toleranced, width_below
-from asperity.show.drive_view import rings_of
-from asperity.show.sheet import Dimension, Item, Line
+from asperity.show.drive_view import housing_of, rings_of
+from asperity.show.sheet import Dimension, Item, Line, Point
 from asperity.show.sheet_figure import text_width
 
 _BETWEEN = 2.0  # planes whose distance nobody states [mm on paper]
@@ -23,15 +23,21 @@ _LONGEST_NAMES = 32.0  # of the contacts at a length [mm on paper]
 class Block(NamedTuple):
     """A part of a section between two distances from the axis, and two places along it [mm].
 
-    ``broken``: whether its upper end is broken off.
+    ``hatched``: 1 upwards to the right, -1 downwards, as of the part beside it, 0 for a part that is not cut;
+    ``broken``: 1 if its upper end is broken off, -1 if its lower end is.
     """
 
     low: float
     high: float
     left: float
     right: float
-    hatched: bool = False
-    broken: bool = False
+    hatched: int = 0
+    broken: int = 0
+
+    @property
+    def mirrored(self) -> Block:
+        """The same on the other side of the axis."""
+        return self._replace(low=-self.high, high=-self.low, broken=-self.broken)
 
 
 class Length(NamedTuple):
@@ -43,10 +49,10 @@ class Length(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A section: blocks, lines at places that are seen beyond (bores), centre lines by their heights [mm], lengths."""
+    """A section: blocks, edges that are seen beyond them, centre lines by their heights [mm], lengths."""
 
     blocks: tuple[Block, ...]
-    edges: tuple[tuple[float, float, float], ...]
+    edges: tuple[tuple[Point, Point], ...]
     axes: tuple[float, ...]
     lengths: tuple[Length, ...]
 
@@ -59,6 +65,11 @@ class Section(NamedTuple):
     def height(self) -> float:
         """Above the axis [mm]."""
         return max(block.high for block in self.blocks)
+
+    @property
+    def depth(self) -> float:
+        """Below the axis [mm]."""
+        return -min(block.low for block in self.blocks)
 
 
 def planes(joint: Joint) -> list[list[int]]:
@@ -97,7 +108,10 @@ def heights(joint: Joint) -> dict[int, float]:
 
 
 def drive_section(joint: Joint, scale: float, tolerances: Sequence[float] | None = None) -> Section:
-    """Half a section of a drive, developed along its contacts; ``tolerances`` of the contact lengths [m]."""
+    """A section of a drive, developed along its contacts; ``tolerances`` of the contact lengths [m].
+
+    Above the axis and below it alike, unless the bodies are held in a frame: the section follows two sectors.
+    """
     lengths = 1e3 * np.asarray(contact_values(joint, joint.contact_lengths))
     tolerances = tolerances or [0.0] * len(lengths)
     middles: dict[int, float] = {}
@@ -141,35 +155,82 @@ def _tracks(joint: Joint, body: int) -> list[tuple[float, list[int], float]]:
 def _section(
     joint: Joint, centres: dict[int, float], middles: dict[int, float], stated: list[Length]
 ) -> Section:
-    rings = {ring.body: ring for ring in rings_of(joint)}
+    """The section of bodies with their centres at heights [mm] and their contacts at places along the axis [mm]."""
+    rings = {ring.body for ring in rings_of(joint)}
+    alone, both_sides = len(centres) == 1, not joint.drive.layout.in_frame
     blocks: list[Block] = []
-    edges: list[tuple[float, float, float]] = []
+    axes = [0.0]
     for body, centre in centres.items():
-        mine: list[Block] = []
-        for high, contacts, long in _tracks(joint, body):
-            half, middle = 0.5 * long, middles[contacts[0]]
-            if body in rings:
-                shown = rings[body].shown if len(centres) > 1 else rings[body].outer
-                walls = [(centre + high, centre + shown + high - rings[body].inner)]
-                if len(centres) == 1:
-                    walls += [(-up, -low) for low, up in walls]
-                    blocks.append(Block(-high, high, middle - half, middle + half))
-            else:
-                walls = [(max(centre - high, 0.0) if len(centres) > 1 else centre - high, centre + high)]
-            broken = body in rings and len(centres) > 1 and rings[body].shown < rings[body].outer
-            mine += [Block(low, up, middle - half, middle + half, body in rings, broken) for low, up in walls]
-        if body not in rings:
-            for one, other in pairwise(mine):  # what joins two tracks
-                low, up = max(one.low, other.low), min(one.high, other.high)
-                blocks.append(Block(low, up, one.right, other.left))
-            bore = joint.shapes[body].bore_diameter
-            if bore is not None:
-                left, right = min(block.left for block in mine), max(block.right for block in mine)
-                edges += [(centre + side * 0.5e3 * float(bore), left, right) for side in (-1.0, 1.0)]
+        if body in rings:
+            mine = _ring_blocks(joint, body, centre, middles, alone=alone)
+        else:
+            mine = _roller_blocks(joint, body, centre, middles)
+            axes.append(centre)
+        if both_sides and (body in rings or centre > 0.0):
+            mine += [block.mirrored for block in mine]
+            axes += [] if body in rings else [-centre]
         blocks += mine
-    unique = dict.fromkeys(blocks)
-    axes = dict.fromkeys(centre for body, centre in centres.items() if body not in rings)
-    return Section(tuple(unique), tuple(dict.fromkeys(edges)), (*dict.fromkeys((0.0, *axes)),), tuple(stated))
+    edges = [
+        edge
+        for body in rings & set(centres)
+        for high, contacts, long in _tracks(joint, body)
+        for edge in _seen_beyond(centres[body] + high, middles[contacts[0]], long, blocks)
+    ]
+    return Section(
+        tuple(dict.fromkeys(blocks)), tuple(dict.fromkeys(edges)), tuple(dict.fromkeys(axes)), tuple(stated)
+    )
+
+
+def _ring_blocks(
+    joint: Joint, body: int, centre: float, middles: dict[int, float], *, alone: bool
+) -> list[Block]:
+    """The wall of a ring, whole if it is drawn ``alone``, otherwise with the housing that holds it."""
+    ring = next(ring for ring in rings_of(joint) if ring.body == body)
+    housing = None if alone else housing_of(joint, ring)
+    blocks = []
+    for high, contacts, long in _tracks(joint, body):
+        left, right = middles[contacts[0]] - 0.5 * long, middles[contacts[0]] + 0.5 * long
+        low, wall = centre + high, (ring.outer if alone else ring.shown) - ring.inner
+        blocks.append(Block(low, low + wall, left, right, 1, int(not alone and ring.shown < ring.outer)))
+        if housing is not None:
+            blocks.append(Block(low + wall, low + wall + housing - ring.outer, left, right, -1))
+    return blocks
+
+
+def _roller_blocks(joint: Joint, body: int, centre: float, middles: dict[int, float]) -> list[Block]:
+    """A roller: its tracks and what joins them; a hollow one is cut, a solid one is not."""
+    tracks = []
+    for radius, contacts, long in _tracks(joint, body):
+        middle = middles[contacts[0]]
+        tracks.append((radius, middle - 0.5 * long, middle + 0.5 * long))
+    spans = list(tracks)
+    for (radius, _, end), (other, begin, _) in pairwise(tracks):
+        spans.append((min(radius, other), end, begin))
+    bore = joint.shapes[body].bore_diameter
+    if bore is None:
+        return [Block(centre - radius, centre + radius, left, right) for radius, left, right in spans]
+    half = 0.5e3 * float(bore)
+    walls = [Block(half, radius, left, right, -1) for radius, left, right in spans]
+    inside = Block(-half, half, min(left for _, left, _ in spans), max(right for *_, right in spans))
+    return [
+        block._replace(low=centre + block.low, high=centre + block.high)
+        for block in (*walls, *(wall.mirrored for wall in walls), inside)
+    ]
+
+
+def _seen_beyond(
+    inner: float, middle: float, long: float, blocks: Sequence[Block]
+) -> list[tuple[Point, Point]]:
+    """The edges of a bore behind the section, from one side of the ring to the other, where no part hides them."""
+    edges: list[tuple[Point, Point]] = []
+    for x in (middle - 0.5 * long, middle + 0.5 * long):
+        height = -inner
+        hiding = sorted((b.low, b.high) for b in blocks if b.left - 1e-9 <= x <= b.right + 1e-9)
+        for low, high in (*hiding, (inner, inner)):
+            if height + 1e-9 < low <= inner + 1e-9:
+                edges.append(((x, height), (x, low)))
+            height = max(height, high)
+    return edges
 
 
 def draw_section(
@@ -180,15 +241,17 @@ def draw_section(
     left = x - min(block.left for block in section.blocks)
     for block in section.blocks:
         a, b = left + block.left, left + block.right
-        corners = ((a, block.high), (a, block.low), (b, block.low), (b, block.high), (a, block.high))
-        items.append(Line(corners[: 4 if block.broken else 5], "outline"))
+        corners = [(a, block.high), (a, block.low), (b, block.low), (b, block.high), (a, block.high)]
+        if block.broken < 0:
+            corners = [(a, block.low), (a, block.high), (b, block.high), (b, block.low)]
+        items.append(Line(tuple(corners[:4] if block.broken else corners), "outline"))
         if block.broken:
-            c, up = 0.125 * (b - a), 0.5 / scale
-            waves = [(a + n * c, block.high + up * (0, 1, 0, -1)[n % 4]) for n in range(9)]
+            end, up = block.high if block.broken > 0 else block.low, 0.5 / scale
+            waves = [(a + n * 0.125 * (b - a), end + up * (0, 1, 0, -1)[n % 4]) for n in range(9)]
             items.append(Line(tuple(waves), "break"))
         if block.hatched:
-            items += _hatching(a, b, block.low, block.high, _HATCHING / scale)
-    items += [Line(((left + a, y), (left + b, y)), "outline") for y, a, b in section.edges]
+            items += _hatching(block._replace(left=a, right=b), _HATCHING / scale)
+    items += [Line(((left + x, y), (left + u, v)), "outline") for (x, y), (u, v) in section.edges]
     beyond = 3.0 / scale
     items += [Line(((x - beyond, y), (x + section.width + beyond, y)), "axis") for y in section.axes]
     dimensions = []
@@ -204,14 +267,18 @@ def draw_section(
     return items, dimensions
 
 
-def _hatching(left: float, right: float, low: float, high: float, step: float) -> list[Item]:
-    """Lines at 45 degrees across a rectangle [mm]."""
+def _hatching(block: Block, step: float) -> list[Item]:
+    """Lines at 45 degrees across a part that is cut [mm]."""
+    left, right, low, high, rise = block.left, block.right, block.low, block.high, block.hatched
     lines: list[Item] = []
     count = math.floor((right - left + high - low) / (math.sqrt(2.0) * step))
     for index in range(count + 1):
-        offset = (index + 0.5) * math.sqrt(2.0) * step  # of x + low - y from the lower left corner, upwards
+        offset = (
+            (index + 0.5) * math.sqrt(2.0) * step
+        )  # of the line from the corner that it begins at, along the edge
         begin = (left, low + offset) if offset < high - low else (left + offset - high + low, high)
         end = (left + offset, low) if offset < right - left else (right, low + offset - right + left)
         if begin[0] < right and end[1] < high:
-            lines.append(Line((begin, end), "thin"))
+            both = [(x, low + high - y if rise > 0 else y) for x, y in (begin, end)]
+            lines.append(Line((both[0], both[1]), "thin"))
     return lines

@@ -76,7 +76,8 @@ class Sheet:
 
     ``scale`` is length on paper over true length [-]; ``origin``, where the origin of the drawing lies on the paper,
     from its lower left corner [mm]. Coordinates and radii of the items are true sizes [mm]; widths of lines, arrowheads
-    and heights of texts are sizes on paper.
+    and heights of texts are sizes on paper. ``areas`` of the views with their dimensions, of the notes and of the title
+    block, on paper: left, right, lower and upper edge from its lower left corner [mm].
     """
 
     width: float
@@ -85,6 +86,7 @@ class Sheet:
     origin: Point
     items: tuple[Item, ...]
     dimensions: tuple[Dimension, ...] = ()
+    areas: tuple[tuple[float, float, float, float], ...] = ()
 
     @property
     def window(self) -> tuple[float, float, float, float]:
@@ -100,10 +102,4 @@ class Sheet:
 
 def scale_text(scale: float) -> str:
     """A scale as drawings state it."""
-    return f"{scale:g}:1" if scale >= 1.0 else f"1:{1.0 / scale:g}"
-
-
-def standard_scale(size: float, *, room: float) -> float:
-    """The largest standard scale at which something fits [-]."""
-    steps = [mantissa * 10.0**power for power in range(-6, 7) for mantissa in (1, 2, 5)]
-    return max(step for step in steps if step * size <= room * (1.0 + 1e-9))
+    return f"{scale:.12g}:1" if scale >= 1.0 else f"1:{1.0 / scale:.12g}"

@@ -8,77 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from asperity.show.box import Box, text_box
 from asperity.show.dimension_lines import SHOULDER, leader
 from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
-from asperity.show.sheet_figure import text_width
 
-_BELOW, _AROUND = (
-    0.9,
-    0.8,
-)  # of a text: letters below its base line, and the room that it keeps free [mm on paper]
 _LEADER_DISTANCE = 1.0  # between two leaders [mm on paper]
 #: Styles of lines that belong to the drive; texts and leaders may cross them.
 _DRIVE = ("outline", "axis", "frame")
-
-
-class Box(NamedTuple):
-    """A rectangle by its edges [mm]."""
-
-    left: float
-    right: float
-    low: float
-    high: float
-
-    def meets(self, other: Box) -> bool:
-        """Whether it overlaps another one."""
-        return (
-            self.left < other.right
-            and other.left < self.right
-            and self.low < other.high
-            and other.low < self.high
-        )
-
-    def is_inside(self, other: Box) -> bool:
-        """Whether it lies within another one."""
-        return (
-            other.left <= self.left
-            and self.right <= other.right
-            and other.low <= self.low
-            and self.high <= other.high
-        )
-
-    def is_crossed_by(self, one: Point, other: Point) -> bool:
-        """Whether a straight line between two points runs through it."""
-        (x, y), (u, v) = one, other
-        if (x < self.left and u < self.left) or (x > self.right and u > self.right):
-            return False  # most lines are far away
-        if (y < self.low and v < self.low) or (y > self.high and v > self.high):
-            return False
-        first, last = 0.0, 1.0
-        for start, end, low, high in (
-            (one[0], other[0], self.left, self.right),
-            (one[1], other[1], self.low, self.high),
-        ):
-            if start == end:
-                if not low < start < high:
-                    return False
-                continue
-            enter, leave = sorted(((low - start) / (end - start), (high - start) / (end - start)))
-            first, last = max(first, enter), min(last, leave)
-        return first < last
-
-
-def text_box(text: Text, scale: float) -> Box:
-    """The room of a text in true size, with a margin; ``scale`` is length on paper over true length."""
-    wide = text_width(text.text, text.height)
-    left = text.at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[text.align] * wide / scale
-    low = text.at[1] - (_BELOW + _AROUND) / scale
-    return Box(
-        left - _AROUND / scale,
-        left + (wide + _AROUND) / scale,
-        low,
-        low + (_BELOW + 2.0 * _AROUND + text.height) / scale,
-    )
 
 
 class Taken:

@@ -10,8 +10,10 @@ from asperity.errors import InputError, printable, quoted
 from asperity.show.sheet import TEXT_HEIGHT, TITLE_HEIGHT, Circle, Item, Line, Point, Text, scale_text
 from asperity.show.sheet_figure import text_width
 
-#: From the edge of the paper to the frame of a drawing, and height of the title block [mm].
-MARGIN, BLOCK_HEIGHT = 10.0, 38.0
+#: From the edge of the paper to the frame of a drawing, and width and height of the title block [mm].
+MARGIN, BLOCK_WIDTH, BLOCK_HEIGHT = 10.0, 95.0, 38.0
+#: Width of the title block of ISO 7200, on sheets with room for it [mm].
+WIDE_BLOCK = 180.0
 _ROW = 8.0  # height of a row of cells [mm]
 _LABEL_HEIGHT = 1.8
 
