@@ -5,11 +5,9 @@ import math
 import pytest
 
 from asperity.joint_file.build import joint_from_case
-from asperity.show.box import Box
-from asperity.show.drive_sizes import contact_interferences, drive_clearances, place_dimensions, sizes
-from asperity.show.drive_view import drive_view, reach_of
-from asperity.show.sheet import Circle, Text
-from asperity.show.taken import Taken
+from asperity.show.drive_sizes import contact_interferences, drive_clearances, sizes
+from asperity.show.drive_view import drive_view
+from asperity.show.sheet import Circle
 
 # multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
 FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
@@ -106,6 +104,21 @@ def test_places_lie_on_the_outline_that_has_the_size(joint):
     assert found["wall of ring 30"].listed == "wall 30, broken off at the wavy line"
 
 
+def test_a_housing_has_its_outer_diameter(planar_case):
+    """58 mm of the ring, 150 mm outside: the circle of 75 mm is drawn, and measured."""
+    housed = {
+        'ring_support = "free"': 'ring_support = "rigid_housing"',
+        "[load]": '[housing]\nouter_diameter = "150 mm"\ninterference = "60 um"\nfriction_coefficient = 0.12\n\n[load]',
+        'ring = "52100"': 'ring = "52100"\nhousing = "52100"',
+    }
+    joint = joint_from_case(planar_case("planetary", replaced=housed))
+    (housing,) = (size for size in sizes(joint, 1.0) if size.of == "housing")
+    assert housing.label == "housing outside ⌀150"
+    assert {round(math.hypot(*place.tip), 9) for place in housing.places} == {75.0}
+    drawn = [item.radius for item in drive_view(joint, 1.0) if isinstance(item, Circle)]
+    assert pytest.approx(75.0) in drawn
+
+
 def test_a_wall_is_measured_from_edge_to_edge(joint):
     (wall,) = (size for size in sizes(joint("multiroller"), 1.0) if size.label == "wall of ring 12")
     for place in wall.places:
@@ -157,61 +170,3 @@ def test_of_many_rollers_only_the_smallest_clearances_to_others_are_said(idlers_
         [136.0 * math.sin(math.pi / 12.0) - 16.0] * 3 + [120.0] * 6
     )
     assert [gap.alike for gap in found] == [False] * 3 + [True] * 6
-
-
-@pytest.fixture
-def placed(planar_case):
-    def place(name, paper, listed=frozenset(), scale=1.0):
-        joint = joint_from_case(planar_case(name))
-        outlines = [
-            each for each in drive_view(joint, scale) if isinstance(each, Circle) and each.style == "outline"
-        ]
-        found = place_dimensions(
-            sizes(joint, scale),
-            drive_clearances(joint),
-            outlines,
-            view=Box(-reach_of(joint), reach_of(joint), -reach_of(joint), reach_of(joint)),
-            paper=paper,
-            taken=Taken(scale, paper),
-            listed=listed,
-        )
-        return sizes(joint, scale), found, [item.text for item in found.items if isinstance(item, Text)]
-
-    return place
-
-
-WIDE = Box(-150.0, 150.0, -100.0, 100.0)
-
-
-@pytest.mark.parametrize(
-    "name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar", "wheel_pair"]
-)
-@pytest.mark.parametrize(
-    "paper",
-    [WIDE, Box(-75.0, 130.0, -95.0, 80.0), Box(-66.0, 66.0, -66.0, 66.0), Box(-60.0, 150.0, -20.0, 20.0)],
-)
-def test_every_size_is_shown_once_or_reported(placed, name, paper):
-    wanted, found, texts = placed(name, paper)
-    for number, size in enumerate(wanted):
-        assert texts.count(size.label) == (number not in found.unplaced), size.label
-    assert len(texts) == len(wanted) - len(found.unplaced) + len(found.letters)
-    if paper is WIDE:
-        assert [wanted[number].label for number in found.unplaced] == (
-            ["wall of ring 30"] if name == "planetary_hollow" else []
-        )
-    if paper.right < 70.0:
-        assert found.unplaced
-
-
-def test_what_the_list_says_is_not_shown(placed):
-    _, found, texts = placed("planetary", WIDE, listed=frozenset({0, 3}))
-    assert "sun ⌀20" not in texts
-    assert "ring inside ⌀100" not in texts
-    assert not found.unplaced
-
-
-def test_the_smallest_clearances_have_letters(placed):
-    """Planets 3.311 apart, right and left roller of a planet 6.845, planets 9 from the ring."""
-    _, found, texts = placed("planar", WIDE)
-    assert found.letters == {0: "A", 1: "B", 2: "C"}
-    assert {"A 3.311", "B 6.845", "C 9"} <= set(texts)

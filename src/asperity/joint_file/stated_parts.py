@@ -11,6 +11,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
+from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_values, thermal_change_of
 from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.sections import without_expansion
@@ -49,11 +50,17 @@ class StatedPart(NamedTuple):
 
 
 class StatedParts(NamedTuple):
-    """What a file says of its bodies, and of each contact: tolerance of its length [m], and its surface in words."""
+    """What a file says of its bodies, and of each contact: tolerance of its length [m], and its surface in words.
+
+    ``symbols``: what the surface symbol of both bodies says, by lines; none where the file states no Ra or Rz, or
+    another one for the partner, since it does not say which body is which. ``housing``: its material or nothing.
+    """
 
     bodies: tuple[StatedPart, ...]
     lengths: tuple[float, ...]
     surfaces: tuple[str, ...]
+    symbols: tuple[tuple[str, ...], ...]
+    housing: str = ""
 
 
 def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
@@ -67,6 +74,8 @@ def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
         tuple(_part(case, joint, number) for number in range(len(joint.drive.bodies))),
         tuple(length.tolerance for length in lengths),
         tuple(surface_words(surface) for surface in surfaces),
+        tuple(surface_symbol(surface) for surface in surfaces),
+        "" if joint.housing is None else case.bodies["housing"],
     )
 
 
@@ -131,6 +140,23 @@ def surface_words(entry: Any) -> str:
     return (
         f"D {entry.fractal_dimension.value:.4g}, G {format_quantity(entry.fractal_roughness.value, 'm')} "
         "of both bodies together; no Ra stated"
+    )
+
+
+def surface_symbol(entry: Any) -> tuple[str, ...]:
+    """What the surface symbol of ISO 21920-1 says of both bodies of a contact [µm]: Ra or Rz, or both of its limits."""
+    if entry.partner_mean_roughness_depth is not None or entry.partner_roughness_average is not None:
+        return ()
+    name, quantity = "Ra", entry.roughness_average
+    if entry.mean_roughness_depth is not None:
+        name, quantity = "Rz", limits.MEAN_ROUGHNESS_DEPTH.read(entry.mean_roughness_depth)
+    if quantity is None:
+        return ()
+    if not quantity.tolerance:
+        return (f"{name} {1e6 * quantity.value:.4g}",)
+    return tuple(
+        f"{limit} {name} {1e6 * (quantity.value + sign * quantity.tolerance):.4g}"
+        for limit, sign in (("U", 1.0), ("L", -1.0))
     )
 
 

@@ -24,7 +24,10 @@ _LINES_BESIDE_TITLE = math.floor((BLOCK_HEIGHT - _INSET) / SPACING)
 #: Area of views with their dimensions, notes and title block over that of the sheet, which a sheet has at least if it
 #: can.
 LEAST_DRAWN = 0.35
-_LEAST_OUTLINED, _BESIDE_FORCES = 0.1, 0.07  # likewise of the outlines of the views alone, also beside forces
+_LEAST_OUTLINED, _BESIDE_FORCES = (
+    0.11,
+    0.07,
+)  # likewise of the outlines of the views alone, also beside forces
 _LEAST_SEEN = 5.0  # size of the drawing on paper below which nobody sees anything on it [mm]
 
 

@@ -110,6 +110,9 @@ def part_lines(joint: Joint, stated: StatedParts) -> list[str]:
     for kind in kinds(joint, stated.bodies):
         lines.append(f"{counted_name(joint, kind)}: {material_words(joint, stated, kind[0])}")
         lines += crown_lines(stated, kind[0])
+    if joint.housing is not None:
+        smaller = format_quantity(float(joint.housing.interference), "µm")
+        lines.append(f"housing: {stated.housing}, bore {smaller} smaller than its ring; length not stated")
     surfaces = dict.fromkeys(stated.surfaces)
     for surface in surfaces:
         names = [name for name, of in zip(joint.contact_names, stated.surfaces, strict=True) if of == surface]

@@ -14,19 +14,12 @@ from asperity.show.arrangement import LEAST_DRAWN, Arrangement, Room, arrange
 from asperity.show.box import Box, around_all, box_of
 from asperity.show.cutting_line import LETTER, cutting_marks, cutting_path, is_bent
 from asperity.show.drive_notes import drive_lines, load_lines
-from asperity.show.drive_sizes import (
-    Clearance,
-    Dimensions,
-    Size,
-    drive_clearances,
-    place_dimensions,
-    room_of_dimensions,
-    sizes,
-)
+from asperity.show.drive_sizes import Clearance, Size, drive_clearances, sizes
 from asperity.show.drive_view import drive_view, write_contact_names
 from asperity.show.free_bodies import free_bodies
 from asperity.show.notes import SPACING
 from asperity.show.paper import FORMATS, Paper
+from asperity.show.placed_dimensions import Dimensions, place_dimensions, room_of_dimensions
 from asperity.show.section_view import draw_section, drive_section
 from asperity.show.sheet import TITLE_HEIGHT, Circle, Dimension, Item, Line, Point, Sheet, Text
 from asperity.show.taken import Taken

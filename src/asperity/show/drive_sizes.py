@@ -12,26 +12,27 @@ from asperity.drive.layout.existence import neighbours
 from asperity.joint.description import Joint, places
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedPart
-from asperity.show.box import Box, text_box
 from asperity.show.dimension_lines import (
     diameter,
     dimension,
     distance_mark,
     made_bore,
-    room_below,
     toleranced,
-    widths_below,
 )
-from asperity.show.drive_view import MOST_GAPS, RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
-from asperity.show.sheet import Circle, Dimension, Item, Line, Point, Text
-from asperity.show.sheet_figure import text_width
-from asperity.show.taken import Place, Side, Taken, around, best_leader, distance, levels
+from asperity.show.drive_view import (
+    MOST_GAPS,
+    RingOfBody,
+    copies_of,
+    housing_of,
+    pin_diameter_of,
+    radii_of,
+    rings_of,
+)
+from asperity.show.sheet import Circle, Line, Point
+from asperity.show.taken import Place, around, distance
 
 _MOST_COPIES = 8
 _OF_ROLLER, _OF_AXES, _OF_WALL = 24, 72, 36  # places around a circle
-_BESIDE = 9.0  # of texts from the view [mm on paper]
-_OF_TEXT = 3.0  # around a text at its leader [mm on paper]
-_OTHER_SIDE = 12.0  # what a leader to the side that is not the usual one costs [mm on paper]
 
 
 class Size(NamedTuple):
@@ -75,12 +76,20 @@ def sizes(
         mine = [ring for ring in rings if ring.body == kind[0]]
         for ring in mine:
             wall = toleranced(ring.outer - ring.inner, 1e3 * part.wall)
-            circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
+            circle = _around_axis(ring.inner)
             held = ", in its housing" if seated(joint)[ring.body] else ""
             text = f"{made_inside(joint, ring, interference, part)}{held}"
             listed.append(
                 Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner, below=True)
             )
+            housing = housing_of(joint, ring)
+            if housing is not None:
+                text = f"outside ⌀{dimension(2.0 * housing)}"
+                listed.append(
+                    Size(
+                        "housing", text, f"housing {text}", tuple(_around_axis(housing)), housing, below=True
+                    )
+                )
             marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
             broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
             listed.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
@@ -106,6 +115,11 @@ def sizes(
             circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
             listed.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle), orbit))
     return listed
+
+
+def _around_axis(radius: float) -> list[Place]:
+    """Places on a circle about the axis."""
+    return around((0.0, 0.0), radius, 0.0, _OF_WALL)
 
 
 def contact_interferences(joint: Joint, interference: float | None = None) -> list[float | None]:
@@ -268,111 +282,3 @@ def _blocked(ends: tuple[Point, Point], discs: list[Circle]) -> bool:
     e, f = inset * (u - x), inset * (v - y)
     line = (x + e, y + f), (u - e, v - f)
     return any(distance((disc.centre, disc.centre), line) < disc.radius for disc in discs)
-
-
-class Dimensions(NamedTuple):
-    """Dimension lines, leaders and texts of the view.
-
-    ``unplaced``: numbers of the sizes for which there is no room; ``letters``: number of a clearance → its letter in
-    the view; ``measured``: what the items say together.
-    """
-
-    items: list[Item]
-    unplaced: frozenset[int]
-    letters: dict[int, str]
-    measured: list[Dimension]
-
-
-def place_dimensions(
-    sizes: Sequence[Size],
-    clearances: Sequence[Clearance],
-    outlines: list[Circle],
-    *,
-    view: Box,
-    paper: Box,
-    taken: Taken,
-    listed: frozenset[int] = frozenset(),
-    letters: str = "ABC",
-) -> Dimensions:
-    """Show sizes where they cover nothing: below or beside a ``view`` and within the ``paper`` that it has."""
-    scale, items, measured = taken.scale, list[Item](), list[Dimension]()
-    waiting = [number for number in range(len(sizes)) if number not in listed]
-    rows: list[tuple[float, str]] = []
-    for radius, number in sorted((sizes[n].radius or 0.0, n) for n in waiting if sizes[n].below):
-        row = (radius, sizes[number].label)
-        below = widths_below([*rows, row], view.low, scale=scale)[-1]
-        if taken.has_room(below.items):
-            rows.append(row)
-            taken.add(below.items[:2], crossable=True)
-            taken.add(below.items[2:])
-            measured.append(below)
-            items += below.items
-            waiting.remove(number)
-    heights = levels(paper.low, paper.high, scale)
-    right = Side(view.right + _BESIDE / scale, "left", heights)
-    left = Side(view.left - _BESIDE / scale, "right", heights)
-    lettered: dict[int, str] = {}
-    for number, gap in enumerate(clearances):
-        if len(lettered) == len(letters):
-            break
-        letter = letters[len(lettered)]
-        text = f"{letter} {gap.size:.4g}"
-        leader = gap.places and best_leader(
-            text, gap.places, (right._replace(handicap=_OTHER_SIDE), left), outlines, taken
-        )
-        if leader:
-            lettered[number] = letter
-            taken.add(leader)
-            items += leader
-            measured.append(Dimension(_marked(leader), tuple(leader)))
-    unplaced = set()
-    for number in waiting:
-        size = sizes[number]
-        leader = size.places and best_leader(
-            size.label, size.places, (right, left._replace(handicap=_OTHER_SIDE)), outlines, taken
-        )
-        if leader:
-            taken.add(leader)
-            items += leader
-            ends = _marked(leader) if size.radius is None else _opposite(leader, size)
-            measured.append(Dimension(ends, tuple(leader), diameter=size.radius is not None))
-        else:
-            unplaced.add(number)
-    return Dimensions(items, frozenset(unplaced), lettered, measured)
-
-
-def room_of_dimensions(
-    sizes: Sequence[Size],
-    clearances: Sequence[Clearance],
-    listed: frozenset[int],
-    *,
-    right: float,
-    scale: float,
-) -> tuple[float, float, float]:
-    """Room for dimensions left, right and below a view, whose right edge is at ``right`` [mm]: on paper [mm]."""
-    shown = [size for number, size in enumerate(sizes) if number not in listed]
-    gaps = [text_width(f"A {gap.size:.4g}") for gap in clearances if gap.places][:MOST_GAPS]
-    beside = [_BESIDE + _OF_TEXT + text_width(size.label) for size in shown if not size.below]
-    rows = [(size.radius or 0.0, size.label) for size in shown if size.below]
-    beside += [
-        scale * (text_box(row.items[-1], scale).right - right)
-        for row in widths_below(rows, 0.0, scale=scale)
-        if isinstance(row.items[-1], Text)
-    ]
-    return _BESIDE + _OF_TEXT + max(gaps) if gaps else 0.0, max(beside, default=0.0), room_below(len(rows))
-
-
-def _marked(leader: Sequence[Item]) -> tuple[Point, Point]:
-    """The ends of the distance that a mark with its leader measures."""
-    one, other = next(
-        item.points for item in leader if isinstance(item, Line) and item.arrows in ("", "both")
-    )
-    return one, other
-
-
-def _opposite(leader: Sequence[Item], size: Size) -> tuple[Point, Point]:
-    """The tip of a leader to a circle, and the point of the circle opposite to it."""
-    tip = next(item.points[0] for item in leader if isinstance(item, Line))
-    e, f = next(place.outward for place in size.places if place.tip == tip and place.outward is not None)
-    across = 2.0 * (size.radius or 0.0)
-    return tip, (tip[0] - across * e, tip[1] - across * f)

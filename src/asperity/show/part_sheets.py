@@ -12,18 +12,12 @@ from asperity.show.arrangement import Room, arrange
 from asperity.show.box import around_all, box_of
 from asperity.show.dimension_lines import diameter, dimension, toleranced
 from asperity.show.drive_notes import crown_lines
-from asperity.show.drive_sizes import (
-    Size,
-    contact_interferences,
-    counted_name,
-    kinds,
-    made_inside,
-    place_dimensions,
-    room_of_dimensions,
-)
+from asperity.show.drive_sizes import Size, contact_interferences, counted_name, kinds, made_inside
 from asperity.show.drive_view import cross, radii_of, rings_of
+from asperity.show.placed_dimensions import place_dimensions, room_of_dimensions
 from asperity.show.section_view import body_section, draw_section
 from asperity.show.sheet import Circle, Dimension, Item, Sheet
+from asperity.show.surface_symbol import symbols_of_tracks
 from asperity.show.taken import Taken, around
 from asperity.show.title_block import Title
 from asperity.units import format_quantity
@@ -118,10 +112,22 @@ def _rooms(
 def _section_items(
     joint: Joint, body: int, stated: StatedParts, scale: float, x: float
 ) -> tuple[list[Item], list[Dimension]]:
-    """The section that begins at a place along the axis [mm], and its lengths."""
+    """The section that begins at a place along the axis [mm] with its surface symbols, and its lengths."""
     along = body_section(joint, body, scale, stated.bodies[body].length)
     items, lengths = draw_section(along, x, low=-along.depth - 2.0 / scale, scale=scale)
-    return [*items, *(item for length in lengths for item in length.items)], lengths
+    items += [item for length in lengths for item in length.items]
+    inside = -1.0 if joint.shapes[body].kind == "ring" else 1.0  # below the axis a bore looks upwards
+    surfaces = [
+        (inside * 1e3 * float(radius), x + length.left, x + length.right, _symbol(stated, contacts))
+        for (radius, contacts), length in zip(tracks_of(joint, body), along.lengths, strict=True)
+    ]
+    return [*items, *symbols_of_tracks(surfaces, scale)], lengths
+
+
+def _symbol(stated: StatedParts, contacts: list[int]) -> tuple[str, ...]:
+    """What the surface symbol of a track says; nothing where its contacts differ."""
+    alike = {stated.symbols[number] for number in contacts}
+    return alike.pop() if len(alike) == 1 else ()
 
 
 def _sizes(joint: Joint, body: int, stated: StatedParts, interference: float | None) -> list[Size]:
