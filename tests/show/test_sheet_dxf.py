@@ -39,7 +39,8 @@ def test_the_extents_and_the_first_view_are_those_of_the_paper():
     assert tuple(document.modelspace().dxf.extmin)[:2] == (-25.0, -12.5)
     (view,) = document.viewports.get("*Active")
     assert tuple(view.dxf.center)[:2] == (0.0, 0.0)
-    assert 25.0 <= view.dxf.height <= 30.0
+    assert 25.0 <= view.dxf.height
+    assert 50.0 <= view.dxf.height * view.dxf.aspect_ratio <= 55.0
 
 
 def test_the_same_sheet_makes_the_same_text_and_leaves_the_options_of_ezdxf():

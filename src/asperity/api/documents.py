@@ -58,7 +58,7 @@ def draw(
     path : str or Path
         The file, .svg, .pdf, .png or .dxf; an earlier drawing is replaced.
     forces : bool, optional
-        Draw the forces of one branch too, and no section.
+        Draw the forces of one branch too; the section stays where the sheet need not be larger for it.
     parts : bool, optional
         A sheet for each kind of roller and ring too: further pages of a PDF file, otherwise files beside it.
     title : mapping, optional
@@ -74,7 +74,7 @@ def draw(
     Raises
     ------
     InputError
-        If the rollers do not fit, or the file cannot be written.
+        If the rollers do not fit, no sheet can show the drive or a part, or the file cannot be written.
     MissingExtraError
         If a DXF file is asked for and ezdxf is not installed.
     """

@@ -17,7 +17,9 @@ from asperity.cli.run_by_name import run_by_name
     help="Write the drawing to this file: .svg, .pdf, .png or .dxf.",
 )
 @click.option(
-    "--forces", is_flag=True, help="Draw the forces of one branch too, under the torque of the file."
+    "--forces",
+    is_flag=True,
+    help="Draw the forces of one branch too, each with its letter, under the torque of the file.",
 )
 @click.option(
     "--parts",
@@ -29,11 +31,13 @@ from asperity.cli.run_by_name import run_by_name
 def draw() -> None:
     """Draw the drive described in FILE to scale: view, section along the axis, parts, tolerances and title block.
 
-    The sheet is A3, that of a part A4; the scale is the largest standard one that fits; print it in full size. A wall
-    of the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a ring
-    is the one to be made, smaller by the interference that makes the preload, which is stated; in a housing of the
+    The sheet is the smallest, from A4 on, that the drawing fills, at the largest standard scale; print it in full size.
+    What no sheet can show is refused with the scale that it would need. The housing is drawn where the file has one. A
+    wall of the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a
+    ring is the one to be made, smaller by the interference that makes the preload, which is stated; in a housing of the
     file it is that of the ring in its seat, and its own sheet has the one before it is pressed in. Diameters have the
     tolerances of the file, twice those of the radii, and the coarsest grade of ISO 286-1 within them. What the file
-    does not state is a dash, or is said not to be stated. With --forces there is no section. A DXF file contains the
-    true sizes in mm, with DIMENSION entities; it needs the optional package ezdxf.
+    does not state is a dash, or is said not to be stated; an Ra or Rz that it states is a surface symbol on the sheets
+    of the parts. With --forces there is a section only where the sheet need not be larger for it. A DXF file contains
+    the true sizes in mm, with DIMENSION entities; it needs the optional package ezdxf.
     """

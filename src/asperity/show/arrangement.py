@@ -61,6 +61,10 @@ class Room(NamedTuple):
         return Box(x + self.left, x + self.right, y + self.low, y + self.high)
 
 
+#: Origins of the views, places of the lines of the notes, and width of the title block, all on paper [mm].
+_Tried = tuple[list[Point], list[tuple[Point, str]], float]
+
+
 class Arrangement(NamedTuple):
     """A sheet with room for everything: ``origins`` of the views, their ``boxes`` and all notes, on paper [mm].
 
@@ -122,18 +126,28 @@ def _refusal(what: str, size: float, best: Arrangement | None) -> str:
 def largest_on(
     form: Format, views: Callable[[float], Sequence[Room]], lines: Sequence[str], origin: int
 ) -> Arrangement | None:
-    """The arrangement on a format at the largest scale at which there is one; None if there is none."""
+    """The arrangement on a format at the largest scale that fits, one that fills it if there is one; or None."""
     for scale in SCALES:
         rooms = views(scale)
-        for places, texts, title_width in _arrangements(form, rooms, lines):
-            boxes = tuple(room.at(place) for room, place in zip(rooms, places, strict=True))
-            paper = Paper(form.width, form.height, places[origin], scale, title_width)
-            area = form.width * form.height
-            drawn = covered([*boxes, *([_around_notes(texts)] if texts else []), paper.title_box]) / area
-            outlined = sum(math.prod(room.outlined) for room in rooms) / area
-            least = _LEAST_OUTLINED if all(room.level for room in rooms) else _BESIDE_FORCES
-            return Arrangement(paper, tuple(places), boxes, tuple(texts), drawn, outlined, least)
+        tried = [_arrangement(form, scale, rooms, each, origin) for each in _arrangements(form, rooms, lines)]
+        if tried:
+            enough = (one for one in tried if one.drawn >= LEAST_DRAWN)
+            return next(enough, max(tried, key=lambda one: one.drawn))
     return None
+
+
+def _arrangement(
+    form: Format, scale: float, rooms: Sequence[Room], tried: _Tried, origin: int
+) -> Arrangement:
+    """A sheet with its views and notes in places that were tried."""
+    places, texts, title_width = tried
+    boxes = tuple(room.at(place) for room, place in zip(rooms, places, strict=True))
+    paper = Paper(form.width, form.height, places[origin], scale, title_width)
+    area = form.width * form.height
+    drawn = covered([*boxes, *([_around_notes(texts)] if texts else []), paper.title_box]) / area
+    outlined = sum(math.prod(room.outlined) for room in rooms) / area
+    least = _LEAST_OUTLINED if all(room.level for room in rooms) else _BESIDE_FORCES
+    return Arrangement(paper, tuple(places), boxes, tuple(texts), drawn, outlined, least)
 
 
 def _around_notes(texts: Sequence[tuple[Point, str]]) -> Box:
@@ -141,16 +155,12 @@ def _around_notes(texts: Sequence[tuple[Point, str]]) -> Box:
     return around_all(Box(x, x + text_width(line), y, y + TEXT_HEIGHT) for (x, y), line in texts)
 
 
-#: Origins of the views, places of the lines of the notes, and width of the title block, all on paper [mm].
-_Tried = tuple[list[Point], list[tuple[Point, str]], float]
-
-
 def _arrangements(form: Format, rooms: Sequence[Room], lines: Sequence[str]) -> Iterator[_Tried]:
-    """Notes in a band beside the title block or in a column above it; where there is room, that block is wide."""
+    """Notes in a band beside the title block or in a column above it; beside a wide one if the sheet has room."""
+    yield from _with_band(form, rooms, lines, BLOCK_WIDTH)
+    yield from _with_column(form, rooms, lines)
     if form.width >= _WIDE_ENOUGH:
         yield from _with_band(form, rooms, lines, WIDE_BLOCK)
-    yield from _with_column(form, rooms, lines)
-    yield from _with_band(form, rooms, lines, BLOCK_WIDTH)
 
 
 def _with_column(form: Format, rooms: Sequence[Room], lines: Sequence[str]) -> Iterator[_Tried]:

@@ -27,7 +27,8 @@ LAYERS: dict[Style, str] = {
 }
 _TEXT_LAYER = "TEXT"
 _ALIGNED, _DIAMETER = 1, 3  # kinds of DIMENSION entities
-_VIEW = 1.05  # height of what a CAD program shows first, over that of the sheet
+_VIEW = 1.05  # size of what a CAD program shows first, over that of the sheet
+_WINDOW = 4.0 / 3.0  # width of the window of that program over its height; most are wider
 _BLACK = 7  # black on white, white on black
 _CODES = {"⌀": "%%c", "°": "%%d", "±": "%%p"}
 
@@ -76,9 +77,11 @@ def _show_paper(document: Any, sheet: Sheet) -> None:
     document.header["$LIMMIN"], document.header["$LIMMAX"] = (left, low), (right, high)
     document.modelspace().reset_extents((left, low, 0.0), (right, high, 0.0))
     document.modelspace().reset_limits((left, low), (right, high))
-    document.set_modelspace_vport(
-        height=_VIEW * (high - low), center=(0.5 * (left + right), 0.5 * (low + high))
+    view = document.set_modelspace_vport(
+        height=_VIEW * max(high - low, (right - left) / _WINDOW),
+        center=(0.5 * (left + right), 0.5 * (low + high)),
     )
+    view.dxf.aspect_ratio = _WINDOW
 
 
 def _dimension(document: Any, dimension: Dimension, scale: float) -> None:
