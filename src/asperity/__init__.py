@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from asperity.api.structure import dynamics, loads
     from asperity.api.studies import plot, sensitivity, sweep, uncertainty
     from asperity.api.surface import measure_surface
+    from asperity.api.window import window
     from asperity.api.windup import windup
 
 #: Where the functions for scripts are; the names stand here so that importing the package loads none of them.
@@ -41,6 +42,7 @@ _OFFERED = {
     "sensitivity": "asperity.api.studies",
     "sweep": "asperity.api.studies",
     "uncertainty": "asperity.api.studies",
+    "window": "asperity.api.window",
     "windup": "asperity.api.windup",
     "write_report": "asperity.api.documents",
 }
@@ -61,6 +63,7 @@ __all__ = [
     "sensitivity",
     "sweep",
     "uncertainty",
+    "window",
     "windup",
     "write_report",
 ]

@@ -24,6 +24,7 @@ COMMANDS: dict[str, str] = {
     "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
     "uncertainty": "Intervals of the results from the tolerances of a joint file.",
     "tolerances": "Deviations and IT grades that keep nearly all drives above stated results.",
+    "window": "Torques that a joint may pass over temperature or preload, and what limits them.",
     "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
     "roll": "Drift, losses, thrust and life of a joint that turns.",
     "crown": "Crown radius and logarithmic profile for tilted rollers.",

@@ -22,8 +22,11 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
 
 
 @contextmanager
-def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar that shows how much of the work is done; yields what takes the number done and the total."""
+def progress_bar(what: str, *, compiles: bool = True) -> Iterator[Callable[[int, int], None]]:
+    """A bar that shows how much of the work is done; yields what takes the number done and the total.
+
+    ``compiles``: whether a program is compiled before.
+    """
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
@@ -32,7 +35,7 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     shown = Progress(*columns, console=rich_console(stderr=True), transient=True)
     with shown as progress, if_abandoned(progress.stop):
-        task = progress.add_task(f"compiling, then {what}", total=None)
+        task = progress.add_task(f"compiling, then {what}" if compiles else what, total=None)
 
         def report(done: int, total: int) -> None:
             progress.update(task, completed=done, total=total, description=what if done else None)

@@ -115,6 +115,13 @@ class TemperatureCurves(Module):
     standing_torque_capacity: Array
 
 
+def temperature_span(assembly: float, working: float) -> tuple[float, float]:
+    """Ends of an axis around the temperatures of a file, half their distance beyond them, at least 20 K [degC]."""
+    low, high = sorted((assembly, working))
+    margin = max(_LEAST_MARGIN, 0.5 * (high - low))
+    return low - margin, high + margin
+
+
 def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | None]) -> TemperatureCurves:
     """Preload, assembled stiffness and standing torque capacity of a joint at 41 temperatures around those of its file.
 
@@ -126,9 +133,8 @@ def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | Non
         raise InputError(
             "the preload of this joint does not depend on temperature: give load.interference and [temperature]"
         )
-    ends = sorted((float(fit.assembly_temperature), float(fit.working_temperature)))
-    margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
-    temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
+    ends = temperature_span(float(fit.assembly_temperature), float(fit.working_temperature))
+    temperature = np.linspace(*ends, _TEMPERATURES)
     curves = _of_drive(joint, [solved_at(celsius) for celsius in temperature])
     return TemperatureCurves(*map(xp.asarray, (temperature, *curves)))
 

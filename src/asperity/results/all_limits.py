@@ -133,11 +133,13 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
             "multiply the life by the a_ISO of ISO 281 for this film and compare the product with the required life; "
             "smoother surfaces raise λ"
         )
-    of_drive = _required("duty_life" if duty else "drive_life", required, remedy, unknown, missing)
+    of_drive = required_life_row("duty_life" if duty else "drive_life", required, remedy, unknown, missing)
     words = "rating life under the duty" if duty else "rating life"
     of_drive = dataclasses.replace(of_drive, label=words)
     of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
-    limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown)
+    limit = required_life_row(
+        of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown
+    )
     bearings = (
         LimitCheck(limit, name, value)
         for name, value in of_bearings.rows_of(solved).items()
@@ -163,8 +165,8 @@ def _life_of_drive(solved: SolvedJoint) -> float:
     return float(np.asarray(hours)) * _HOUR
 
 
-def _required(name: str, seconds: float, remedy: str, unknown: str, missing: str = "") -> Result:
-    """A row of the table of results with the life that is required as its limit."""
+def required_life_row(name: str, seconds: float, remedy: str, unknown: str, missing: str = "") -> Result:
+    """A row of the table of results, a life, with the life that is required as its limit [s]."""
     limit = Limit(
         "function",
         "the rating life reaches rolling.required_life",

@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,10 +29,10 @@ from asperity.engine.arrays import entry_of, xp
 from asperity.engine.control import at_once, map_over, traced_once
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
-from asperity.joint.capacity import first_guess, limits_of, loading
+from asperity.joint.capacity import UnderTorque, first_guess, limits_of, loading
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import joint_result
-from asperity.joint.machine import joint_machine
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, kind_words
 from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.notes import Severity
@@ -69,7 +70,7 @@ CAPACITY_LIMITS = (
 )
 
 #: Share within which a joint slips standing and in rolling at one torque: then standing is named.
-_ALIKE = 1e-9
+ALIKE = 1e-9
 
 #: Share of the torque at which a contact slips up to which rows are looked at: at it, their states need not exist.
 _BELOW = 1.0 - 1e-9
@@ -91,10 +92,10 @@ class JointCapacity(Module):
     place: Array
 
 
-class _Entry(NamedTuple):
-    """One limit at one place: its code and that of the place."""
+class LimitEntry(NamedTuple):
+    """One limit at one place: its name in :data:`CAPACITY_LIMITS` or of a row, and the code of the place."""
 
-    limit: int
+    limit: str
     place: int
 
 
@@ -137,69 +138,69 @@ def torque_safety(solved: SolvedJoint) -> Any:
     return xp.where(capacity > 0.0, capacity / xp.abs(xp.asarray(solved.joint.output_torque)), 0.0)
 
 
-def excesses_of_rows(solved: SolvedJoint) -> Array:
-    """By how much the judged rows of a joint exceed their limits, in the order of the rows' entries [-]."""
+def excesses_of_rows(solved: SolvedJoint, rows: Iterable[Result] = JUDGED_ROWS) -> Array:
+    """By how much rows of a joint exceed their limits, in the order of :func:`entries_of_rows` [-]."""
     excesses = []
-    for row in _rows_of(solved):
+    for row in _rows_of(solved, rows):
         assert row.limit is not None
         value = row.of(solved)
         if isinstance(value, list | tuple):
             value = xp.stack(xp.broadcast_arrays(*value))
         excess = row.limit.excess(xp.asarray(value, dtype=float))
-        excesses.append(xp.atleast_1d(excess)[np.array(_places_of(row, solved))])
+        excesses.append(xp.atleast_1d(excess)[np.array(places_of_row(row, solved))])
     together: Array = xp.concatenate([*excesses, xp.zeros(0)])
     return together
 
 
-def _rows_of(solved: SolvedJoint) -> list[Result]:
-    """The judged rows that a joint has."""
-    of_drive = [row for row in JUDGED_ROWS if not row.needs_wedges or wedges(solved.joint.drive)]
-    return [row for row in of_drive if _places_of(row, solved)]
+def _rows_of(solved: SolvedJoint, rows: Iterable[Result]) -> list[Result]:
+    """Those of some rows that a joint has."""
+    of_drive = [row for row in rows if not row.needs_wedges or wedges(solved.joint.drive)]
+    return [row for row in of_drive if places_of_row(row, solved)]
 
 
-def _places_of(row: Result, solved: SolvedJoint) -> list[int]:
+def places_of_row(row: Result, solved: SolvedJoint) -> list[int]:
     """Which rows of a result a joint has, by number."""
     count = 1 if row.axis == "one" else len(solved.row_names(row.axis))
     present = (True,) * count if row.present is None else row.present(solved)
     return [number for number, exists in enumerate(present) if exists]
 
 
-def _entries_of_search(solved: SolvedJoint, prefix: str) -> list[_Entry]:
-    """The limits of the search for slip, standing or with the prefix of rolling, in the order of their excesses."""
+def entries_of_search(solved: SolvedJoint, *, rolls: bool) -> list[LimitEntry]:
+    """The limits of the search for slip, standing or in rolling, in the order of their excesses."""
     contacts, nowhere = len(solved.row_names("contact")), len(place_names(solved)) - 1
+    prefix = _IN_ROLLING if rolls else ""
     return [
-        _Entry(CAPACITY_LIMITS.index(f"{prefix}{kind}"), contact if contact < contacts else nowhere)
+        LimitEntry(f"{prefix}{kind}", contact if contact < contacts else nowhere)
         for kind, contact in limits_of(solved.joint)
     ]
 
 
-def _entries_of_rows(solved: SolvedJoint) -> list[_Entry]:
-    """The limits of the judged rows, in the order of their excesses."""
+def entries_of_rows(solved: SolvedJoint, rows: Iterable[Result] = JUDGED_ROWS) -> list[LimitEntry]:
+    """The limits of rows of a joint, in the order of :func:`excesses_of_rows`."""
     counts = [len(solved.row_names(axis)) for axis in PLACE_AXES]
     starts = dict(zip(PLACE_AXES, np.cumsum([0, *counts]).tolist(), strict=False))
     return [
-        _Entry(
-            CAPACITY_LIMITS.index(row.name),
-            starts[row.axis] + number if row.axis in starts else sum(counts),
-        )
-        for row in _rows_of(solved)
-        for number in _places_of(row, solved)
+        LimitEntry(row.name, starts[row.axis] + number if row.axis in starts else sum(counts))
+        for row in _rows_of(solved, rows)
+        for number in places_of_row(row, solved)
     ]
 
 
-def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[_Entry]) -> JointCapacity:
-    nothing = _Entry(CAPACITY_LIMITS.index("none"), len(place_names(solved)) - 1)
-    codes, places = zip(nothing, *entries, strict=True)
+def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[LimitEntry]) -> JointCapacity:
+    nothing = LimitEntry("none", len(place_names(solved)) - 1)
+    names, places = zip(nothing, *entries, strict=True)
+    codes = [CAPACITY_LIMITS.index(name) for name in names]
     return JointCapacity(limit.value, entry_of(codes, 1 + limit.which), entry_of(places, 1 + limit.which))
 
 
-def _without_duty(joint: Joint) -> Joint:
+def without_duty(joint: Joint) -> Joint:
+    """The same joint without loads of a duty."""
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
 
 
 def _of_numbers(solved: SolvedJoint) -> JointCapacity:
     """Both directions of one joint, of NumPy's numbers, whose slip is known: the rows are looked at below it."""
-    solution, entries = solved.solution, _entries_of_rows(solved)
+    solution, entries = solved.solution, entries_of_rows(solved)
     of_slip = (
         ((solution.first_slip, ""), (solution.rolling_capacity, _IN_ROLLING)),
         ((solution.reverse_first_slip, ""), (solution.reverse_rolling_capacity, _IN_ROLLING)),
@@ -217,7 +218,7 @@ def _stacked(each: list[JointCapacity]) -> JointCapacity:
 
 def _limit_of_rows(solved: SolvedJoint, slip: Array) -> FirstLimit:
     """Where the first row exceeds its limit below given torques, in both directions."""
-    limits = _LimitsUnderTorque(solved)
+    limits = _limits_under_torque(solved)
     return first_limit_of_numbers(
         excesses=of_each(lambda torque, sign: limits.of_rows(sign * torque), np.array([1.0, -1.0])),
         **_up_to(slip, limits.guess),
@@ -235,7 +236,7 @@ def _slip(solved: SolvedJoint, capacity: TorqueCapacity, prefix: str) -> JointCa
 
 def _first_slip(standing: JointCapacity, rolling: JointCapacity) -> JointCapacity:
     """Where a contact slips first, standing or in rolling."""
-    first = float(standing.output_torque) * (1.0 - _ALIKE) <= float(rolling.output_torque)
+    first = float(standing.output_torque) * (1.0 - ALIKE) <= float(rolling.output_torque)
     return standing if first else rolling
 
 
@@ -248,29 +249,35 @@ def _up_to(slip: Any, guess: Any) -> Document:
     }
 
 
-class _LimitsUnderTorque:
+def _limits_under_torque(solved: SolvedJoint) -> LimitsUnderTorque:
+    """The limits of a joint that is solved; what its duty does to its bearings is not that of another torque."""
+    assert solved.laws is not None
+    machine = joint_machine(without_duty(solved.joint), solved.laws.rims)
+    return LimitsUnderTorque(machine, Pressed(solved.laws, solved.result.rest))
+
+
+class LimitsUnderTorque:
     """By how much one joint exceeds its limits under other output torques [N·m]; each is what a joint of it has alone.
 
-    ``guess``: torque of the right order. What its duty does to its bearings is not that torque's.
+    ``guess``: torque of the right order. The machine has no duty.
     """
 
-    def __init__(self, solved: SolvedJoint) -> None:
-        assert solved.laws is not None
-        self._machine = joint_machine(_without_duty(solved.joint), solved.laws.rims)
-        self._without_torque = Pressed(solved.laws, solved.result.rest)
-        self.loaded = loading(self._machine, self._without_torque)
-        self.guess = first_guess(self._machine.joint, solved.result.rest)
+    def __init__(self, machine: JointMachine, without_torque: Pressed) -> None:
+        self._machine, self._without_torque = machine, without_torque
+        self.loaded = loading(machine, without_torque)
+        self.guess = first_guess(machine.joint, without_torque.rest)
 
     def of_all(self, torque: Array) -> Array:
         """Limits of the search, standing and in rolling, then of the rows; every contact that stands holds."""
-        standing, rolling, rows = self._together(torque)
-        return xp.concatenate([standing, rolling, rows])
+        standing, rolling, solved = self.under(torque)
+        return xp.concatenate([standing.excesses, rolling.excesses, xp.asarray(excesses_of_rows(solved))])
 
     def of_rows(self, torque: Array) -> Array:
         """Limits of the rows alone."""
-        return self._together(torque)[2]
+        return xp.asarray(excesses_of_rows(self.under(torque)[2]))
 
-    def _together(self, torque: Array) -> tuple[Array, Array, Array]:
+    def under(self, torque: Array) -> tuple[UnderTorque, UnderTorque, SolvedJoint]:
+        """The joint under a torque, standing, every contact of which holds, and rolling; and its results there."""
         standing, rolling = _both(
             map_over(lambda rolls: self.loaded(torque, rolls, ~rolls), xp.array([False, True]))
         )
@@ -278,15 +285,14 @@ class _LimitsUnderTorque:
         states = DriveStates(self._without_torque.rest, standing.state, rolling.state, pressed)
         there = self._machine.under(torque)
         result = joint_result(there, self._without_torque.laws, states)
-        rows = excesses_of_rows(SolvedJoint(there.joint, result, self._without_torque.laws))
-        return standing.excesses, rolling.excesses, xp.asarray(rows)
+        return standing, rolling, SolvedJoint(there.joint, result, self._without_torque.laws)
 
 
 def _of_program(solved: SolvedJoint) -> JointCapacity:
     """Both directions of a joint inside a program, with derivatives."""
-    limits = _LimitsUnderTorque(solved)
+    limits = _limits_under_torque(solved)
     loaded, guess = limits.loaded, limits.guess
-    at_rest, in_rolling = (_entries_of_search(solved, prefix) for prefix in ("", _IN_ROLLING))
+    at_rest, in_rolling = (entries_of_search(solved, rolls=rolls) for rolls in (False, True))
     before_rows = len(at_rest) + len(in_rolling)
     excesses = traced_once(limits.of_all)  # for the search and for the derivative
 
@@ -311,9 +317,9 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
     slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)))
     standing, rolling = _both(trees.map(lambda leaf: leaf.reshape(2, 2), slips))
     rolling = rolling._replace(which=xp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
-    stands = standing.value * (1.0 - _ALIKE) <= rolling.value
+    stands = standing.value * (1.0 - ALIKE) <= rolling.value
     slip = trees.map(lambda *leaves: xp.where(stands, *leaves), standing, rolling)
-    entries = [*at_rest, *in_rolling, *_entries_of_rows(solved)]
+    entries = [*at_rest, *in_rolling, *entries_of_rows(solved)]
     return _named(solved, map_over(first_of, (ways, slip)), entries)
 
 
@@ -337,7 +343,7 @@ def capacity_words(solved: SolvedJoint, capacity: JointCapacity) -> str:
     else:
         (row,) = (row for row in JUDGED_ROWS if row.name == limit)
         assert row.limit is not None
-        where = _place_words(solved, place)
+        where = place_words(solved, place)
         said = (
             f"{where} {row.limit.beyond}" if row.limit.beyond else f"{row.label} beyond its limit at {where}"
         )
@@ -354,11 +360,19 @@ def _state(solved: SolvedJoint, limit: str) -> str:
         return "in rolling"
     value = by_row[limit]
     if isinstance(value, str) and value.startswith("result."):
-        return "in rolling" if value.startswith("result.rolling.") else "standing"
+        return "in rolling" if only_in_rolling(limit) else "standing"
     return works
 
 
-def _place_words(solved: SolvedJoint, place: int) -> str:
+def only_in_rolling(limit: str) -> bool:
+    """Whether a limit of :data:`CAPACITY_LIMITS` is one of the joint that rolls alone."""
+    values = [row.value for row in JUDGED_ROWS if row.name == limit]
+    of_rolling = [isinstance(value, str) and value.startswith("result.rolling.") for value in values]
+    return limit.startswith(_IN_ROLLING) or any(of_rolling)
+
+
+def place_words(solved: SolvedJoint, place: int) -> str:
+    """A place by its code, in words, such as "contact sp" or "ring"."""
     for axis in PLACE_AXES:
         names = solved.row_names(axis)
         if place < len(names):
