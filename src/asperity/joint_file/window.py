@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from asperity.engine.arrays import as_numbers
+from asperity.engine.control import at_once
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.solve import joint_state, refuse_impossible_joint
@@ -123,7 +123,7 @@ def _search(case: AnyCase, values: Values, key: str) -> LimitSearch:
         changes[key] = at + shift * ends.get(key, 0.0)
         return joint_with_branches(replace_values(tables, changes))
 
-    joint = as_numbers(joint_with_branches(_at_assembly(values)))
+    joint = at_once(lambda: joint_with_branches(_at_assembly(values)))
     joint = refuse_impossible_joint(dataclasses.replace(joint, output_torque=np.zeros(())))
     reference = SolvedJoint(joint, joint_state(joint), None)
     duty = [float(point.output_torque) for point in joint.rolling.duty]

@@ -11,8 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.state.first_limit import SMALLEST_SHARE, FirstLimit, first_limit
+from asperity.drive.state.first_limit import SMALLEST_SHARE, FirstLimit, first_limit_of_numbers
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import Pressed, assembled
@@ -48,6 +49,8 @@ SHOWN_ONLY = ("seat_pressure",)
 #: All of them, with those of a torque capacity, by their codes.
 LIMITS = (*CAPACITY_LIMITS, *SHOWN_ONLY, REQUIRED_LIFE, NOT_PRESSED, NOT_COMPUTED)
 
+#: Joints that are computed side by side: more take as long for each, and more memory.
+_BLOCK = 48
 #: Share of the torque at which a contact slips up to which rows are looked at: at it, their states need not exist.
 _BELOW = 1.0 - 1e-9
 #: Shares of it at which they are looked at first, and multiples of the first guess where nothing slips at any torque.
@@ -133,15 +136,26 @@ class FirstReached(NamedTuple):
     place: np.ndarray
 
 
-class _Slip(NamedTuple):
-    """A joint without torque, and where a contact slips first, standing and in rolling."""
+class _Assembled(NamedTuple):
+    """Joints at their speeds, assembled, side by side.
 
+    ``machine`` has the duty of the joint, ``bare`` has none; ``guess``: torque of the right order [N·m]; ``pressed``
+    and ``computed``: whether every contact is pressed, and walls and slices are within what is computed.
+    """
+
+    machine: JointMachine
+    bare: JointMachine
+    without_torque: Pressed
+    sign: Array
+    guess: Array
+    preload: Array
     pressed: Array
     computed: Array
-    preload: Array
-    guess: Array
-    standing: FirstLimit
-    rolling: FirstLimit
+
+    def some(self, numbers: np.ndarray) -> _Assembled:
+        """Some of many joints."""
+        chosen: _Assembled = trees.map(lambda leaf: leaf[numbers], self)
+        return chosen
 
 
 @dataclass(frozen=True)
@@ -161,27 +175,34 @@ class LimitSearch:
 
     def of(self, ways: Ways) -> LimitTorques:
         """The torques at which every limit is reached."""
-        slip: _Slip = at_once(vectorised(self._slip), *ways.parts)
-        pressed, computed = np.asarray(slip.pressed), np.asarray(slip.computed)
+        blocks = range(0, ways.at.size, _BLOCK)
+        found = [self._of_block(Ways(*(part[n : n + _BLOCK] for part in ways.parts))) for n in blocks]
+        return functools.reduce(LimitTorques.joined, found)
+
+    def _of_block(self, ways: Ways) -> LimitTorques:
+        """The same of as many joints as are computed side by side."""
+        joints: _Assembled = at_once(vectorised(self._assembled), *ways.parts)
+        pressed, computed = np.asarray(joints.pressed), np.asarray(joints.computed)
         passes = pressed & computed
+        slips = [(_slip(joints, rolls=rolls), rolls) for rolls in (False, True)]
         found = [
-            _named(first, passes, entries_of_search(self.reference, rolls=rolls))
-            for first, rolls in ((slip.standing, False), (slip.rolling, True))
+            _named(first, passes, entries_of_search(self.reference, rolls=rolls)) for first, rolls in slips
         ]
-        first = np.where(passes, np.fmin(slip.standing.value, slip.rolling.value), 0.0)
         nowhere = len(place_names(self.reference)) - 1
+        standing, rolling = (np.asarray(first.value) for first, _ in slips)
+        lowest = np.where(passes, np.fmin(standing, rolling), 0.0)
         for name, closed in ((NOT_PRESSED, ~pressed), (NOT_COMPUTED, pressed & ~computed)):
             found.append(_closed(name, closed, nowhere))
-        found += self._below_slip(self._rows, ways, first, np.asarray(slip.guess))
-        found += self._of_lives(ways, first, np.asarray(slip.guess))
+        found += self._below_slip(self._rows, joints, lowest)
+        found += self._of_lives(ways, joints, lowest)
         torque, limit, place = (np.stack(columns) for columns in zip(*found, strict=True))
-        return LimitTorques(torque, limit, place, np.where(pressed, np.asarray(slip.preload), 0.0))
+        return LimitTorques(torque, limit, place, np.where(pressed, np.asarray(joints.preload), 0.0))
 
     @functools.cached_property
     def _rows(self) -> _Rows:
         """The rows that are judged or shown at every torque."""
         rows = (*JUDGED_ROWS, *(RESULTS[name] for name in SHOWN_ONLY))
-        return _Rows(rows, tuple(entries_of_rows(self.reference, rows)), self._under_torque)
+        return _Rows(rows, tuple(entries_of_rows(self.reference, rows)), _under_torque)
 
     @functools.cached_property
     def _lives(self) -> _Rows:
@@ -191,80 +212,58 @@ class LimitSearch:
             lives = ("duty_life", "bearing_duty_life") if self._has_duty else ("drive_life", "bearing_life")
         rows = tuple(required_life_row(name, self.required_life or math.nan, "", "") for name in lives)
         entries = [entry._replace(limit=REQUIRED_LIFE) for entry in entries_of_rows(self.reference, rows)]
-        return _Rows(rows, tuple(entries), self._under_duty if self._has_duty else self._under_torque)
+        return _Rows(rows, tuple(entries), self._under_duty if self._has_duty else _under_torque)
 
     @property
     def _has_duty(self) -> bool:
         return bool(self.reference.joint.rolling.duty)
 
-    def _of_lives(self, ways: Ways, slip: np.ndarray, guess: np.ndarray) -> list[_Column]:
+    def _of_lives(self, ways: Ways, joints: _Assembled, slip: np.ndarray) -> list[_Column]:
         """Where the lives reach what is required; those under a duty once for all speeds: it has its own."""
         if not self._has_duty:
-            return self._below_slip(self._lives, ways, slip, guess)
+            return self._below_slip(self._lives, joints, slip)
         alike = np.stack([ways.at, ways.shift, ways.sign], axis=1)
         _, first, each = np.unique(alike, axis=0, return_index=True, return_inverse=True)
         each = each.ravel()
-        of_duty = np.where(ways.sign > 0.0, *self.duty_torque) > 0.0
         highest = np.zeros(first.size)
-        np.maximum.at(highest, each, np.where(of_duty, slip, 0.0))
-        once = Ways(*(part[first] for part in ways.parts))
-        found = self._below_slip(self._lives, once, highest, guess[first])
+        np.maximum.at(highest, each, np.where(np.where(ways.sign > 0.0, *self.duty_torque) > 0.0, slip, 0.0))
+        found = self._below_slip(self._lives, joints.some(first), highest)
         return [(torque[each], limit[each], place[each]) for torque, limit, place in found]
 
-    def _machine(self, joint: Joint) -> tuple[JointMachine, Pressed]:
-        """The machine that a joint is, assembled."""
-        machine = joint_machine(joint)
-        return machine, assembled(machine)
-
-    def _slip(self, at: Array, shift: Array, sign: Array, speed: Array) -> _Slip:
-        """Where a contact of one joint slips first: standing, where every contact holds, and in rolling."""
-        joint = dataclasses.replace(without_duty(self.joint_at(at, shift)), input_speed=speed)
-        machine, pressed = self._machine(joint)
-        loaded, rest = loading(machine, pressed), pressed.rest
-        guess = xp.asarray(first_guess(machine.joint, rest), dtype=float)
-
-        def search(rolls: bool) -> FirstLimit:
-            return first_limit(
-                excesses=lambda torque: loaded(sign * torque, rolls, not rolls).excesses, first_guess=guess
-            )
-
-        standing = LimitsUnderTorque(machine, pressed).under(sign * SMALLEST_SHARE * guess)[2]
-        slices = standing.result.diagnostics.slices_hold
-        return _Slip(
-            pressed=(rest.worst < STATE_TOLERANCE) & xp.all(rest.normal > 0.0),
-            computed=standing.result.walls_hold & (True if slices is None else xp.all(slices)),
-            preload=mean_preload(machine.joint, rest.normal),
+    def _assembled(self, at: Array, shift: Array, sign: Array, speed: Array) -> _Assembled:
+        """One joint at a speed, assembled."""
+        machine = joint_machine(dataclasses.replace(self.joint_at(at, shift), input_speed=speed))
+        bare = dataclasses.replace(machine, joint=without_duty(machine.joint))
+        pressed = assembled(bare)
+        rest, guess = pressed.rest, xp.asarray(first_guess(machine.joint, pressed.rest), dtype=float)
+        standing = LimitsUnderTorque(bare, pressed).under(sign * SMALLEST_SHARE * guess)[2].result
+        slices = standing.diagnostics.slices_hold
+        return _Assembled(
+            machine=machine,
+            bare=bare,
+            without_torque=pressed,
+            sign=sign,
             guess=guess,
-            standing=search(False),
-            rolling=search(True),
+            preload=mean_preload(machine.joint, rest.normal),
+            pressed=(rest.worst < STATE_TOLERANCE) & xp.all(rest.normal > 0.0),
+            computed=standing.walls_hold & (True if slices is None else xp.all(slices)),
         )
 
-    def _under_torque(self, at: Array, shift: Array, sign: Array, speed: Array) -> _Solved:
-        """One joint under any torque, as a function of it."""
-        joint = dataclasses.replace(without_duty(self.joint_at(at, shift)), input_speed=speed)
-        limits = LimitsUnderTorque(*self._machine(joint))
-        return lambda torque: limits.under(sign * torque)[2]
+    def _under_duty(self, joint: _Assembled, torque: Array) -> SolvedJoint:
+        """One joint under its duty, scaled so that the largest torque of its direction is a torque."""
+        machine, pressed = joint.machine, joint.without_torque
+        scale = torque / xp.where(joint.sign > 0.0, *self.duty_torque)
+        scaled = tuple(
+            dataclasses.replace(point, output_torque=scale * xp.asarray(point.output_torque))
+            for point in machine.joint.rolling.duty
+        )
+        rolling = dataclasses.replace(machine.joint.rolling, duty=scaled)
+        loaded = dataclasses.replace(machine.joint, rolling=rolling, output_torque=joint.sign * torque)
+        there = dataclasses.replace(machine, joint=loaded)
+        result = joint_result(there, pressed.laws, states_under_torque(there, pressed))
+        return SolvedJoint(there.joint, result, pressed.laws)
 
-    def _under_duty(self, at: Array, shift: Array, sign: Array, speed: Array) -> _Solved:
-        """One joint under its duty, scaled so that the largest torque of a direction is any torque; as a function."""
-        joint = self.joint_at(at, shift)
-        machine, pressed = self._machine(joint)
-        largest = xp.where(sign > 0.0, *self.duty_torque)
-
-        def under(torque: Array) -> SolvedJoint:
-            scaled = tuple(
-                dataclasses.replace(point, output_torque=torque / largest * xp.asarray(point.output_torque))
-                for point in machine.joint.rolling.duty
-            )
-            rolling = dataclasses.replace(machine.joint.rolling, duty=scaled)
-            loaded = dataclasses.replace(machine.joint, rolling=rolling, output_torque=sign * torque)
-            there = dataclasses.replace(machine, joint=loaded)
-            result = joint_result(there, pressed.laws, states_under_torque(there, pressed))
-            return SolvedJoint(there.joint, result, pressed.laws)
-
-        return under
-
-    def _below_slip(self, rows: _Rows, ways: Ways, slip: np.ndarray, guess: np.ndarray) -> list[_Column]:
+    def _below_slip(self, rows: _Rows, joints: _Assembled, slip: np.ndarray) -> list[_Column]:
         """Where rows reach their limits below the torques at which joints slip; not looked at where that is 0."""
         names, of_entry = rows.groups
         torque = np.full((len(names), slip.size), np.inf)
@@ -272,45 +271,73 @@ class LimitSearch:
         some = np.flatnonzero(slip > 0.0)
         if names and some.size:
             known = np.isfinite(slip[some])
-            top = np.where(known, _BELOW * np.where(known, slip[some], 1.0), guess[some])
+            top = np.where(known, _BELOW * np.where(known, slip[some], 1.0), joints.guess[some])
             looks = np.where(known, _SHARES[:, None], _DOUBLINGS[:, None]) * top
-            several = [np.tile(part[some], len(looks)) for part in ways.parts]
-            excess: np.ndarray = at_once(vectorised(rows.excesses), *several, looks.ravel())
-            excess = excess.reshape(*looks.shape, -1)
+            excess = at_once(_of_each(rows.excesses, joints.some(some)), looks)
             searched: list[tuple[int, int, float]] = []
-            for group, entries in enumerate(np.flatnonzero(of_entry == group) for group in range(len(names))):
-                beyond = excess[:, :, entries] >= 0.0
-                for joint in np.flatnonzero(beyond.any(axis=(0, 2))):
-                    look = int(np.argmax(beyond[:, joint].any(axis=1)))
-                    at_rest = entries[int(np.argmax(beyond[look, joint]))]
+            for group in range(len(names)):
+                beyond = excess[of_entry == group] >= 0.0
+                places = [entry.place for entry in rows.entries if entry.limit == names[group]]
+                for joint in np.flatnonzero(beyond.any(axis=(0, 1))):
+                    look = int(np.argmax(beyond[:, :, joint].any(axis=0)))
                     torque[group, some[joint]] = 0.0
-                    place[group, some[joint]] = rows.entries[at_rest].place
+                    place[group, some[joint]] = places[int(np.argmax(beyond[:, look, joint]))]
                     if look:
                         searched.append((group, int(some[joint]), float(looks[look, joint])))
             if searched:
-                groups, joints, starts = (np.array(column) for column in zip(*searched, strict=True))
-                chosen = [part[joints] for part in ways.parts]
-                found: FirstLimit = at_once(vectorised(rows.first_reached), *chosen, groups, starts)
-                torque[groups, joints] = found.value
-                place[groups, joints] = [rows.entries[which].place for which in found.which]
+                groups, of, starts = (np.array(column) for column in zip(*searched, strict=True))
+                found = at_once(rows.first_reached, joints.some(of), groups.astype(float), starts)
+                torque[groups, of] = found.value
+                place[groups, of] = [rows.entries[which].place for which in found.which]
         limits = [np.full(slip.size, LIMITS.index(name)) for name in names]
         return list(zip(torque, limits, place, strict=True))
 
 
-#: What one joint is under a torque [N·m].
-_Solved = Callable[[Array], SolvedJoint]
+def _of_each(
+    function: Callable[..., Array], joints: _Assembled, *given: np.ndarray
+) -> Callable[[np.ndarray], np.ndarray]:
+    """A function of one joint and a torque, shape (limits,), as one of several torques of each of many joints.
+
+    ``given``: further arguments, a number for each joint.
+    """
+    each = vectorised(function)
+
+    def of_all(torques: np.ndarray) -> np.ndarray:
+        def again(leaf: np.ndarray) -> np.ndarray:
+            return np.tile(leaf, (len(torques), *(1,) * (leaf.ndim - 1)))
+
+        every, *numbers = trees.map(again, (joints, *given))
+        found: np.ndarray = each(every, torques.ravel(), *numbers)
+        return found.T.reshape(-1, *torques.shape)
+
+    return of_all
+
+
+def _slip(joints: _Assembled, *, rolls: bool) -> FirstLimit:
+    """Where a contact of many joints slips first, standing, where every contact holds, or in rolling."""
+
+    def excesses(joint: _Assembled, torque: Array) -> Array:
+        return loading(joint.bare, joint.without_torque)(joint.sign * torque, rolls, not rolls).excesses
+
+    def search(joints: _Assembled) -> FirstLimit:
+        return first_limit_of_numbers(excesses=_of_each(excesses, joints), first_guess=joints.guess)
+
+    found: FirstLimit = at_once(search, joints)
+    return found
+
+
+def _under_torque(joint: _Assembled, torque: Array) -> SolvedJoint:
+    """One joint under a torque, without its duty."""
+    return LimitsUnderTorque(joint.bare, joint.without_torque).under(joint.sign * torque)[2]
 
 
 @dataclass(frozen=True)
 class _Rows:
-    """Rows with limits, their ``entries`` in the order of the excesses, and the joints under any torque.
-
-    ``under`` takes the numbers of :class:`Ways` of one joint.
-    """
+    """Rows with limits, their ``entries`` in the order of the excesses, and what one joint is under a torque [N·m]."""
 
     rows: tuple[Result, ...]
     entries: tuple[LimitEntry, ...]
-    under: Callable[[Array, Array, Array, Array], _Solved]
+    under: Callable[[_Assembled, Array], SolvedJoint]
 
     @functools.cached_property
     def groups(self) -> tuple[list[str], np.ndarray]:
@@ -318,20 +345,20 @@ class _Rows:
         names = list(dict.fromkeys(entry.limit for entry in self.entries))
         return names, np.array([names.index(entry.limit) for entry in self.entries], dtype=int)
 
-    def excesses(self, at: Array, shift: Array, sign: Array, speed: Array, torque: Array) -> Array:
+    def excesses(self, joint: _Assembled, torque: Array) -> Array:
         """By how much one joint exceeds the limits under a torque [N·m]."""
-        return excesses_of_rows(self.under(at, shift, sign, speed)(torque), self.rows)
+        return xp.asarray(excesses_of_rows(self.under(joint, torque), self.rows))
 
-    def first_reached(
-        self, at: Array, shift: Array, sign: Array, speed: Array, group: Array, start: Array
-    ) -> FirstLimit:
-        """Where one joint reaches a limit of a group, below a torque at which it is crossed [N·m]."""
-        under, of_entry = self.under(at, shift, sign, speed), xp.asarray(self.groups[1])
+    def first_reached(self, joints: _Assembled, groups: np.ndarray, starts: np.ndarray) -> FirstLimit:
+        """Where each of many joints reaches a limit of a group, below a torque at which it is crossed [N·m]."""
+        of_entry = self.groups[1].astype(float)
 
-        def excesses(torque: Array) -> Array:
-            return xp.where(of_entry == group, excesses_of_rows(under(torque), self.rows), -1.0)
+        def excesses(joint: _Assembled, torque: Array, group: Array) -> Array:
+            return xp.where(xp.asarray(of_entry) == group, self.excesses(joint, torque), -1.0)
 
-        return first_limit(excesses=excesses, first_guess=start)
+        return first_limit_of_numbers(
+            excesses=_of_each(excesses, joints, groups), first_guess=xp.asarray(starts), farthest=1.0
+        )
 
 
 _Column = tuple[np.ndarray, np.ndarray, np.ndarray]
