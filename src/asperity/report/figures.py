@@ -15,6 +15,7 @@ from asperity.show.compliance_figure import draw_budget, draw_levels, draw_margi
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
+from asperity.show.window_figure import window_figure
 from asperity.show.windup_figure import windup_figure
 from asperity.standing.windup import Windup
 
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from asperity.joint_file.stated_parts import StatedParts
+    from asperity.results.window import Window
     from asperity.show.title_block import Title
 
 _WIDTH = 7.0  # of a picture on a page [in]
@@ -34,6 +36,7 @@ def report_pictures(
     onset: RollingOnset | None,
     rolling_capacity: float,
     *,
+    window: Window,
     windup_capacities: tuple[float, float],
     name: str,
     interference: float | None = None,
@@ -56,6 +59,7 @@ def report_pictures(
     bars = Figure(figsize=(_WIDTH, margins_height(judged)), layout="constrained")
     draw_margins(bars.subplots(), judged)
     pictures["margins"] = figure_svg(bars)
+    pictures["window"] = figure_svg(window_figure(window, title="", width=_WIDTH))
     if windup is not None:
         pictures["windup"] = figure_svg(
             windup_figure(windup, onset, title="", stacked=True, capacities=windup_capacities)

@@ -19,11 +19,13 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values, stated_tables
 from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference, stated_parts
+from asperity.joint_file.window import joint_window
 from asperity.report.figures import report_pictures
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
+from asperity.results.window_document import window_document
 from asperity.results.windup_document import (
     examined_windup,
     windup_capacities,
@@ -44,6 +46,7 @@ from asperity.views.numbers import quantity
 from asperity.views.rolling import rolling
 from asperity.views.solved_view import SolvedView
 from asperity.views.stiffness import budget, stiffness
+from asperity.views.window import window_summary
 from asperity.views.windup import windup
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "matplotlib")
@@ -76,13 +79,14 @@ def joint_report(source: ReportSource) -> Report:
     interference = made_interference(source.case, solved.result).size
     view = SolvedView(solved, document, interference)
     examined = _examined(solved, document, source.case)
-    figures = examined.windup_figures
+    figures, allowed = examined.windup_figures, joint_window(source.case)
     pictures = report_pictures(
         solved.joint,
         solved,
         examined.windup,
         examined.onset,
         math.copysign(examined.rolling_capacity, float(solved.joint.output_torque)),
+        window=allowed,
         windup_capacities=(math.inf, math.inf) if figures is None else windup_capacities(figures),
         name=source.name,
         interference=interference,
@@ -117,6 +121,9 @@ def joint_report(source: ReportSource) -> Report:
         Picture("Used share of each limit", pictures["margins"]),
         Heading("Warnings"),
         warnings(document),
+        Heading("Window of the torque"),
+        *window_summary(window_document(allowed)),
+        Picture("Torques that the joint may pass", pictures["window"]),
         Heading("Wind-up"),
         *_windup(examined, pictures),
         Heading("The joint in rolling"),

@@ -17,13 +17,18 @@ _MOST_ROWS = 14
 
 def window(document: Document) -> Iterator[Block]:
     """Everything about the window of a document: verdict, loads, what governs where, and the capacity over the axis."""
+    yield from window_summary(document)
+    yield _over_axis(document)
+    yield Paragraph(" ".join(_notes(document)))
+
+
+def window_summary(document: Document) -> Iterator[Block]:
+    """What a picture of the window needs beside it: the verdict, the loads, and what governs where."""
     verdict = document["verdict"]
     yield Paragraph(f"{verdict['title']}.", strong=True, passed=verdict["inside"])
     yield Paragraph(verdict["words"])
     yield _loads(document)
     yield _governing(document)
-    yield _over_axis(document)
-    yield Paragraph(" ".join(_notes(document)))
 
 
 def _loads(document: Document) -> Table:
