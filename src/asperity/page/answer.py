@@ -27,6 +27,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
 from asperity.rolling.curves import creep_curves
 from asperity.show.free_bodies import BodyForce, body_forces, drawn_apart
+from asperity.show.section_view import drive_section
 from asperity.standing.standing import torque_curves
 from asperity.standing.windup import windup
 from asperity.types import Document
@@ -142,7 +143,7 @@ def _windup(solved: SolvedJoint) -> Answer:
 
 
 def drive_shapes(joint: Joint, result: JointResult) -> Document:
-    """Circles of a drive, and the contact forces of its first sector."""
+    """Circles of a drive, its section along the axis, and the contact forces of its first sector."""
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
     for number, (body, shape) in enumerate(zip(drive.bodies, joint.shapes, strict=True)):
@@ -167,9 +168,24 @@ def drive_shapes(joint: Joint, result: JointResult) -> Document:
     return {
         "rollers": circles,
         "rings": rings,
+        "section": _section(joint),
         "forces": _contact_forces(joint, forces) if known else [],
         "bodies": [_free_body(joint, number, forces) for number in drawn_apart(drive) if known],
     }
+
+
+def _section(joint: Joint) -> list[Document]:
+    """Rectangles of the section along the axis, developed through the contacts; ``cut``: whether they are hatched."""
+    return [
+        {
+            "low_m": 1e-3 * block.low,
+            "high_m": 1e-3 * block.high,
+            "left_m": 1e-3 * block.left,
+            "right_m": 1e-3 * block.right,
+            "cut": bool(block.hatched),
+        }
+        for block in drive_section(joint, 1.0).blocks
+    ]
 
 
 def _bore(joint: Joint, number: int) -> list[float]:

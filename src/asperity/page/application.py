@@ -37,7 +37,7 @@ from asperity.views.html import report_html
 #: Address → file of the package and its type. Nothing else can be read, whatever a request says.
 ASSETS: dict[str, tuple[str, str]] = {
     "/": ("page.html", "text/html; charset=utf-8"),
-    "/page.css": ("page.css", "text/css; charset=utf-8"),
+    **{f"/{name}.css": (f"{name}.css", "text/css; charset=utf-8") for name in ("page", "headline", "panels")},
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
         for name in (
@@ -50,6 +50,8 @@ ASSETS: dict[str, tuple[str, str]] = {
                 "heights",
                 "units",
                 "help",
+                "headline",
+                "panels",
                 "results",
                 "blocks",
             ),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from asperity.results.margins import margins
 from asperity.views.blocks import Block, BlockDocument, Figures, Heading, block_documents
 from asperity.views.branches import branches
+from asperity.views.headline import headline
 from asperity.views.joint import (
     assumed,
     contact_forces,
@@ -67,7 +68,7 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
     document = view.document
     unequal = list(branches(document["branches"])) if "branches" in document else []
     panels: dict[str, list[Block]] = {
-        "verdict": [verdict(document)],
+        "headline": [Figures(headline(document))],
         "cards": [Figures(key_figures(view))],
         "levels": list(stiffness(view)),
         "budget": list(budget(document)),

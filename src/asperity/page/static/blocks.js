@@ -1,14 +1,19 @@
 // Blocks of a view as elements: the same words, tables and numbers that terminal and report show.
 
-import { element, number, table } from "/numbers.js";
+import { SAME, change } from "/headline.js";
+import { element, table } from "/numbers.js";
 
-const VERDICTS = { pass: ["pass", "✓ pass"], FAIL: ["fail", "✗ fail"], unknown: ["state", "? unknown"] };
+const VERDICTS = { pass: ["pass", "✓ pass"], FAIL: ["fail", "✗ fail"], unknown: ["state", "? unknown"], outside: ["outside", "✗ outside"] };
+/** What a requirement concerns that says where the published contact law holds, not whether the joint does. */
+const OF_MODEL = "model";
+
+const FILLS = { FAIL: "bad", outside: "outside" };
 
 /** Text for screen readers alone. */
 const hidden = (text) => element("span", { class: "visually-hidden" }, text);
 
 /** A text whose lines stand below each other. */
-const lines = (text) => element("span", {}, ...text.split("\n").flatMap((line, at) => (at ? [element("br"), line] : [line])));
+const lines = (text) => element("span", { "data-label": text.replaceAll("\n", ", ") }, ...text.split("\n").flatMap((line, at) => (at ? [element("br"), line] : [line])));
 
 /** A share of a whole or of a limit as a bar; where some are negative, to the left for less. */
 function bar(share, kind, signed) {
@@ -30,35 +35,53 @@ function tableBlock({ title, head, rows, words, verdicts, shares }, before, pane
   const bars = shares.length > 0;
   const signed = shares.some((share) => share < 0);
   const compared = before?.rows.length === rows.length ? before : null; // the same table of the baseline
-  const was = compared ? lines(`baseline\n${head[1].split("\n")[1] ?? ""}`) : null;
+  const was = compared ? lines(`baseline\n${head[1].split("\n")[1] ?? ""}`.trim()) : null;
   was?.classList.add("baseline");
   const beside = (cells, cell) => (compared ? [...cells.slice(0, 2), cell, ...cells.slice(2)] : cells); // the number that it compares
   const headings = [...beside(head.map(lines), was), ...(bars ? [hidden("bar")] : [])];
   const cells = rows.map((row, at) => {
     const last = row.length - 1;
     const shown = row.map((cell, place) => (verdicts && place === last ? verdict(cell) : cell));
-    return [...beside(shown, compared?.rows[at][1]), ...(bars ? [bar(shares[at], row[last] === "FAIL" ? "bad" : verdicts ? "good" : "", signed)] : [])];
+    return [...beside(shown, compared?.rows[at][1]), ...(bars ? [bar(shares[at], FILLS[row[last]] ?? (verdicts ? "good" : ""), signed)] : [])];
   });
   const made = table(title, headings, cells, new Set(words));
-  return [...(title === panel ? [] : [element("h3", {}, title)]), element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${title || "Table"}, scrollable` }, made)];
+  return [...(title === panel ? [] : [element("h3", {}, title)]), scrolled(title || "Table", made)];
 }
 
-function change(now, before) {
-  if (!before || before.si === null || now.si === null || before.si === 0) return "";
-  const share = 100 * (now.si / before.si - 1);
-  const text = Math.abs(share) < 0.005 ? "as the baseline" : `${share > 0 ? "+" : "−"}${number(Math.abs(share), 3)} % against the baseline`;
-  return element("p", { class: "change" }, text);
+/** The place of a table: where it is too narrow for it, the cells of a row stand below each other, each with its heading. */
+function scrolled(title, made) {
+  return element("div", { class: "scroll", "data-table": title }, made);
 }
 
-function card(figure, before) {
-  return element(
-    "div",
-    { class: "card" },
-    element("h2", {}, figure.name),
-    element("p", { class: "value" }, element("span", { "data-value": figure.name }, figure.shown), " ", element("span", { class: "unit" }, figure.si === null ? "" : figure.unit)),
-    element("p", { class: "detail" }, figure.detail),
-    change(figure, before),
-  );
+/** The figures as rows: each with its unit, its baseline and change where there is one, and what it is. */
+export function keyFigures({ items }, before) {
+  const beside = before?.items.length === items.length;
+  const rows = items.map((item, at) => {
+    const value = [item.shown, item.si === null || !item.unit ? "" : ` ${item.unit}`];
+    const changed = beside ? change(item, before.items[at]) : null;
+    if (changed && changed.text !== SAME) value.push(element("span", { class: "was" }, `baseline ${before.items[at].shown} `, element("span", { class: `change ${changed.kind}` }, changed.text)));
+    return [item.name, element("span", {}, ...value), item.detail];
+  });
+  return [scrolled("Key figures", table("Key figures", ["quantity", "value", "what it is"], rows, new Set([0, 2])))];
+}
+
+/** A table of names and values as a list of pairs, in as many columns as there is room for. */
+export function pairs({ rows }) {
+  return [element("dl", { class: "pairs" }, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))))];
+}
+
+/** The margins, and below them how to read them. */
+export function marginsTable(blocks) {
+  const [margins] = blocks.filter((block) => block.kind === "table");
+  const rows = margins.rows.map((row) => (row[1] === OF_MODEL && row.at(-1) === "FAIL" ? [...row.slice(0, -1), "outside"] : row));
+  const made = tableBlock({ ...margins, rows }, undefined, margins.title);
+  made[0].classList.add("margins");
+  return [...made, folded("How to read this table", elements(blocks.filter((block) => block !== margins)))];
+}
+
+/** Explanations that fold. */
+function folded(title, parts) {
+  return parts.length ? element("details", { class: "more" }, element("summary", {}, title), ...parts) : "";
 }
 
 function warned({ severity, about, text, meanings, remedy }) {
@@ -76,17 +99,21 @@ const KINDS = {
   heading: ({ text }) => [element("h3", {}, text)],
   paragraph: ({ text, strong, passed }) => [element("p", { class: `note${strong ? " strong" : ""}${passed === false ? " fail" : passed ? " pass" : ""}` }, text)],
   bullets: ({ items }) => [element("ul", {}, ...items.map((item) => element("li", {}, item)))],
-  figures: ({ items }, before) => items.map((item, at) => card(item, before?.items[at])),
+  figures: (block) => keyFigures(block),
   table: tableBlock,
   warnings: ({ items }) => [element("ul", { class: "warnings" }, ...items.map(warned))],
   listing: ({ text }) => [element("pre", {}, text)],
 };
 
-/** Elements of blocks below the heading of a panel; `before` are the blocks of the baseline, whose numbers stand beside those of figures and of the first table. */
-export function elements(blocks, before = [], panel = "") {
-  const first = (kind, list) => list.find((block) => block.kind === kind);
-  return blocks.flatMap((block) => {
-    const beside = block === first(block.kind, blocks) ? first(block.kind, before) : undefined;
-    return KINDS[block.kind](block, beside, panel);
-  });
+/**
+ * Elements of blocks below the heading of a panel; `before` are the blocks of the baseline, whose numbers stand beside
+ * those of the first table; `fold`: whether the sentences fold, below everything else.
+ */
+export function elements(blocks, { before = [], panel = "", fold = false } = {}) {
+  const first = (list) => list.find((block) => block.kind === "table");
+  const made = (block) => KINDS[block.kind](block, block === first(blocks) ? first(before) : undefined, panel);
+  const sentences = fold ? blocks.filter((block) => block.kind === "paragraph") : [];
+  const results = blocks.filter((block) => !sentences.includes(block)).flatMap(made);
+  if (!results.length) return sentences.flatMap(made);
+  return fold ? [...results, folded("What these numbers mean", sentences.flatMap(made))] : results;
 }

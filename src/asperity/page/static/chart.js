@@ -2,7 +2,7 @@
 
 import { label } from "/controls.js";
 import { element, number, unitText } from "/numbers.js";
-import { linePlot } from "/plots.js";
+import { LARGE, linePlot, SMALL } from "/plots.js";
 
 const KINDS = ["one", "two", "three", "four", "five"];
 const PAUSE = 150; // ms without a change of the joint before a chart is asked for
@@ -237,6 +237,7 @@ export class Chart {
         series: curves,
         shades,
         dots: x.length <= 10,
+        size: this.panel.clientWidth > LARGE.width ? LARGE : SMALL,
         point: point ? { x: found.joint.x_shown, y: found.joint.y_shown, name: "this joint" } : null,
         empty: shades.length ? `No result anywhere: ${shades[0].text}.` : "This result has no value here: see the page 'Results' of the documentation.",
       }),

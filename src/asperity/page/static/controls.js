@@ -4,6 +4,7 @@ import { choiceRows, finishRow, showChoice } from "/choices.js";
 import { Height, isDepth, otherHeight } from "/heights.js";
 import { Lists, sectionOf } from "/lists.js";
 import { element, jsonLink, number, unitText } from "/numbers.js";
+import { isNarrow } from "/panels.js";
 import { UnitPicker, withUnit } from "/units.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
@@ -122,7 +123,7 @@ export class Controls {
       if (name === "surface" && !measured) rows.unshift(finishRow(this, stated));
       if (!rows.length) continue;
       const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
-      details.open = first ? OPEN.includes(name) : open.has(name);
+      details.open = first ? OPEN.includes(name) && !isNarrow() : open.has(name);
       this.form.append(details);
     }
   }

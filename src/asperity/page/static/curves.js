@@ -1,6 +1,6 @@
 // The curves of an answer: stiffness, wind-up, drift, losses, life and creep.
 
-import { arcmin, number, scaled } from "/numbers.js";
+import { arcmin, element, number, scaled } from "/numbers.js";
 import { linePlot } from "/plots.js";
 
 /** What drives, in words. */
@@ -9,8 +9,45 @@ export const driven = (found) => found.geometry.input.replaceAll("_", " ");
 /** Why the joint does not turn, if it does not. */
 export const standing = (found) => found.rolling.unknown_because[0] || "";
 
-/** Every curve of an answer as a picture. */
+/** Levels of the stiffness, the fullest model first, as curves. */
+const LEVELS = [
+  ["assembly_Nm_per_rad", "assembled", "one"],
+  ["series_with_bulk_Nm_per_rad", "bodies in series", "two"],
+  ["published_Nm_per_rad", "asperities alone", "three"],
+];
+/** How many times as stiff as the assembled joint a level may be that is drawn with it. */
+const BESIDE = 4;
+/** Share of the largest torque from which on the efficiency is drawn. */
+const WORKING = 0.1;
+
+/** Every curve of an answer as a picture; those without a value in a sentence below them. */
 export function curves(answer, baseline) {
+  const figures = pictures(answer, baseline);
+  const drawn = figures.filter((figure) => !figure.classList.contains("without"));
+  const reasons = new Map();
+  for (const figure of figures.filter((each) => !drawn.includes(each))) {
+    const why = figure.querySelector(".empty").textContent;
+    reasons.set(why, [...(reasons.get(why) ?? []), figure.querySelector("figcaption").textContent.toLowerCase()]);
+  }
+  return [...drawn, ...[...reasons].map(([why, names]) => element("p", { class: "note wide" }, `Not drawn: ${names.join(", ")}. ${why[0].toUpperCase()}${why.slice(1).replace(/\.$/, "")}.`))];
+}
+
+/** The torque capacity in the direction of the torque, as a line across a chart; null where it is none. */
+function capacityLine(found) {
+  const torque = found.standing.forces.output_torque_Nm;
+  const { output_torque_Nm: size } = torque < 0 ? found.torque_capacity.reverse : found.torque_capacity;
+  return size ? { x: Math.sign(torque || 1) * size, name: "torque capacity" } : null;
+}
+
+/** The levels that are drawn beside the assembled joint, and in words those that lie above the chart. */
+function levels(sampled, over, perArcmin) {
+  const largest = (kind) => Math.max(...sampled[kind].map((value) => value ?? 0));
+  const fits = ([kind]) => largest(kind) <= BESIDE * largest(LEVELS[0][0]);
+  const above = LEVELS.filter((level) => !fits(level)).map(([kind, name]) => `${name} (${number(largest(kind) * perArcmin, 3)})`);
+  return [LEVELS.filter(fits).map(([kind, name, look]) => over(kind, name, look, perArcmin)), above.length ? ` Above this chart: ${above.join(", ")}.` : ""];
+}
+
+function pictures(answer, baseline) {
   const { curves: sampled, windup, document: found } = answer;
   const torque = found.standing.forces.output_torque_Nm;
   const ghosts = (kind, factor = 1) =>
@@ -19,29 +56,27 @@ export function curves(answer, baseline) {
       : [];
   const over = (kind, name, look, factor = 1) => ({ name, kind: look, x: sampled.torque_Nm, y: sampled[kind].map((value) => scaled(value, factor)) });
   const x = "output torque, N·m";
+  const limit = capacityLine(found);
   const perArcmin = Math.PI / 10800;
   const toArcmin = 10800 / Math.PI;
   const why = standing(found);
   const loop = windup.unknown_because ? null : windup;
   const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
+  const [stiffness, above] = levels(sampled, over, perArcmin);
   const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
   return [
     linePlot({
       title: "Stiffness over torque",
       x,
       y: "N·m/arcmin at the output",
-      log: true,
-      series: [
-        ...ghosts("assembly_Nm_per_rad", perArcmin),
-        over("assembly_Nm_per_rad", "assembled", "one", perArcmin),
-        over("series_with_bulk_Nm_per_rad", "bodies in series", "two", perArcmin),
-        over("published_Nm_per_rad", "asperities alone", "three", perArcmin),
-      ],
+      zero: true,
+      limit,
+      series: [...ghosts("assembly_Nm_per_rad", perArcmin), ...stiffness],
       point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
-      note: `Up to the torque capacity. The vertical axis is logarithmic.${found.stiffness_bound ? ` Assembled: ${found.stiffness_bound}.` : ""}`,
+      note: `Up to gross slip at standstill.${found.stiffness_bound ? ` Assembled: ${found.stiffness_bound}.` : ""}${above}`,
     }),
     linePlot({
-      title: `Wind-up at the output, ${driven(found)} locked`,
+      title: `Wind-up, ${driven(found)} locked`,
       x,
       y: "angle, arcmin",
       empty: windup.unknown_because,
@@ -58,7 +93,7 @@ export function curves(answer, baseline) {
         : "",
     }),
     linePlot({
-      title: "Wind-up loop: deviation from a straight line",
+      title: "Wind-up less a straight line",
       x,
       y: "deviation, arcmin",
       empty: windup.unknown_because,
@@ -69,11 +104,12 @@ export function curves(answer, baseline) {
             { name: "reloading", kind: "three", x: loop.torque_Nm, y: deviation(loop, "reloading_angle_rad", toArcmin) },
           ]
         : [],
-      note: loop ? "The line joins both ends of the loop; the loop is too narrow to be seen without it." : "",
+      note: loop ? "The line joins both ends of the loop, which is too narrow to be seen otherwise." : "",
     }),
     linePlot({
       title: "Drift over torque",
       x,
+      limit,
       y: "arcmin per output turn",
       zero: true,
       empty: why,
@@ -83,7 +119,10 @@ export function curves(answer, baseline) {
     linePlot({
       title: "Efficiency over torque",
       x,
+      limit,
       y: "efficiency, %",
+      from: WORKING * Math.max(...sampled.torque_Nm.map(Math.abs)),
+      note: "From a tenth of the largest torque: without torque there is no efficiency.",
       empty: why,
       series: [...ghosts("efficiency", 100), over("efficiency", "efficiency", "one", 100)],
       point: { x: torque, y: scaled(found.efficiency, 100), name: "this joint" },
@@ -91,17 +130,19 @@ export function curves(answer, baseline) {
     linePlot({
       title: "Losses over torque",
       x,
+      limit,
       y: "power lost, W",
       zero: true,
       empty: why,
-      series: [...ghosts("total_loss_W"), over("total_loss_W", "all losses the file has numbers for", "one")],
+      series: [...ghosts("total_loss_W"), over("total_loss_W", "losses that the file describes", "one")],
       point: { x: torque, y: found.losses_W.total, name: "this joint" },
     }),
-    life(answer, ghosts, over, x, torque, why),
+    life(answer, ghosts, over, x, torque, why, limit),
     creepCurves(answer, why),
     linePlot({
-      title: "Friction used, contact nearest to slip",
+      title: "Friction used, worst contact",
       x,
+      limit,
       y: "T/(μ·N)",
       zero: true,
       series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(μ·N); slips at 1", "one")],
@@ -110,7 +151,7 @@ export function curves(answer, baseline) {
 }
 
 /** Hours at the joint's speed; turns of the output where nothing turns. */
-function life(answer, ghosts, over, x, torque, why) {
+function life(answer, ghosts, over, x, torque, why, limit) {
   const { curves, document: found } = answer;
   const hours = curves.life_hours.some((each) => each !== null);
   const [kind, y, factor] = hours ? ["life_hours", "life, h", 1] : ["life_output_turns", "life, million output turns", 1e-6];
@@ -120,10 +161,11 @@ function life(answer, ghosts, over, x, torque, why) {
   return linePlot({
     title: "Rating life over torque",
     x,
+    limit,
     y,
     log,
     zero: !log,
-    empty: why,
+    empty: why || found.rolling.no_life_because,
     series: [...ghosts(kind, factor), over(kind, `${number(100 * found.rolling.reliability)} % reliability`, "one", factor)],
     point: { x: torque, y: scaled(here, factor), name: "this joint" },
     note: log ? "The vertical axis is logarithmic." : "",

@@ -31,36 +31,65 @@ function keys(drawing, where, largest) {
   ];
 }
 
-/** Circles of all tracks of a drive, with the contact forces of its first sector. */
+/** A box around points that grows with every one. */
+class Box {
+  constructor() {
+    [this.left, this.top, this.right, this.bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  }
+
+  add(x, y, reach = 0, rise = reach) {
+    [this.left, this.right] = [Math.min(this.left, x - reach), Math.max(this.right, x + reach)];
+    [this.top, this.bottom] = [Math.min(this.top, y - rise), Math.max(this.bottom, y + rise)];
+  }
+
+  view(margin) {
+    return [this.left - margin, this.top - margin, this.right - this.left + 2 * margin, this.bottom - this.top + 2 * margin].join(" ");
+  }
+}
+
+/** Circles of all tracks of a drive, with the contact forces of its first sector, and beside them its section. */
 export function driveDrawing(drawing, document_) {
   const rings = drawing.rings.map((ring) => ({ inner: 1e3 * ring.inner_radius_m, wall: 1e3 * ring.wall_m }));
   const shown = rings.map(({ inner, wall }) => ({ inner, wall, outer: inner + Math.min(wall, LONGEST_WALL * inner) }));
   shown.sort((one, other) => other.outer - one.outer);
-  const outlines = [...shown.map(({ outer }) => [0, 0, outer]), ...drawing.rollers.map((roller) => [1e3 * roller.x_m, -1e3 * roller.y_m, 1e3 * roller.radius_m])];
-  const [left, top] = [0, 1].map((axis) => Math.min(...outlines.map((outline) => outline[axis] - outline[2])));
-  const [right, bottom] = [0, 1].map((axis) => Math.max(...outlines.map((outline) => outline[axis] + outline[2])));
-  const reach = Math.max(right - left, bottom - top) / 2;
-  const room = reach * 0.2; // for arrows and names outside
-  const box = [left - room, top - room, right - left + 2 * room, bottom - top + 3.7 * room];
+  const box = new Box();
+  for (const { outer } of shown) box.add(0, 0, outer);
+  for (const roller of drawing.rollers) box.add(1e3 * roller.x_m, -1e3 * roller.y_m, 1e3 * roller.radius_m);
+  const reach = Math.max(box.right - box.left, box.bottom - box.top) / 2;
   const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
   const names = [...new Set([...drawing.rings, ...drawing.rollers].map((each) => each.body))];
-  const picture = svg("svg", { viewBox: box.join(" "), role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
+  const forces = arrows(drawing, reach, largest, 0.075 * reach, box);
+  const picture = svg("svg", { role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
   picture.append(svg("defs", {}, marker("normal"), marker("tangential"), marker("pin"))); // also those of the rollers drawn apart
   for (const ring of shown) {
     picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
   }
-  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.07 * reach), ...scaleBar(left - 0.8 * room, bottom + 2 * room, reach, 0.07 * reach));
+  picture.append(...circles(drawing.rollers, reach), ...forces, ...section(drawing.section, reach, box), ...scaleBar(box, reach, 0.075 * reach));
+  picture.setAttribute("viewBox", box.view(0.02 * reach));
   const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
+  const interference = made(drawing, drawing.rings);
   return [
     element("div", { class: "drawings" }, picture),
-    element(
-      "p",
-      { class: "note" },
-      shownSectors(document_),
-      ...keys(drawing, "the first body of each contact", largest),
-      `${thinner} ${made(drawing, drawing.rings)}`,
-    ),
+    element("p", { class: "note of-forces" }, shownSectors(document_), ...keys(drawing, "the first body of each contact", largest)),
+    element("details", { class: "more" }, element("summary", {}, "About this drawing"), element("p", { class: "note" }, `On the right the section along the axis, developed through the contacts.${thinner} ${interference}`)),
   ];
+}
+
+/** The section along the axis, right of the view and at its height. */
+function section(blocks, reach, box) {
+  if (!blocks.length) return [];
+  const left = box.right + 0.22 * reach;
+  const first = Math.min(...blocks.map((block) => block.left_m));
+  const outlines = blocks.map((block) => ({ x: left + 1e3 * (block.left_m - first), y: -1e3 * block.high_m, width: 1e3 * (block.right_m - block.left_m), height: 1e3 * (block.high_m - block.low_m), cut: block.cut }));
+  const right = Math.max(...outlines.map(({ x, width }) => x + width));
+  for (const { x, y, width, height } of outlines) {
+    box.add(x, y);
+    box.add(x + width, y + height);
+  }
+  const parts = outlines.map(({ cut, ...place }) => svg("rect", { class: cut ? "ring" : "roller", ...place }));
+  const beyond = 0.06 * reach;
+  box.add(right + beyond, 0);
+  return [...parts, svg("path", { class: "axis-line", d: `M${left - beyond},0H${right + beyond}` })];
 }
 
 /** The bodies that are drawn apart, each with the forces on it. */
@@ -168,15 +197,17 @@ function arrow(force, factor, shortest) {
   return { x, y, nx, ny, lines };
 }
 
-/** The forces of a drive with the names of their contacts. */
-function arrows(drawing, size, largest, font) {
+/** The forces of a drive with the names of their contacts, for which the box grows. */
+function arrows(drawing, size, largest, font, box) {
   const taken = [];
   return drawing.forces.flatMap((force) => {
     const { x, y, nx, ny, lines } = arrow(force, (LONGEST_ARROW * size) / largest, 0.004 * size);
     const length = Math.hypot(nx, ny) || 1;
     const place = { x: x - nx - (1.1 * font * ny) / length, y: y - ny + (1.1 * font * nx) / length + 0.35 * font };
-    while (taken.some((other) => Math.abs(other.x - place.x) < 2 * font && Math.abs(other.y - place.y) < font)) place.y += font;
+    while (taken.some((other) => Math.abs(other.x - place.x) < 2.2 * font && Math.abs(other.y - place.y) < font)) place.y += font;
     taken.push(place);
+    box.add(x - nx, y - ny, 0.02 * size);
+    box.add(place.x, place.y - 0.35 * font, 0.32 * font * force.contact.length, 0.55 * font);
     return [...lines, svg("text", { class: "force-name", ...place, "font-size": font, "text-anchor": "middle" }, force.contact)];
   });
 }
@@ -193,10 +224,14 @@ function forcesDescribed(document_) {
   return `${shownSectors(document_)} with normal and tangential forces: ${each.join("; ")}.`;
 }
 
-function scaleBar(x, y, inner, font) {
-  const bar = [500, 200, 100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1].find((size) => size <= 0.6 * inner) || inner;
+/** A length to compare with, below the view. */
+function scaleBar(box, reach, font) {
+  const bar = [500, 200, 100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1].find((size) => size <= 0.6 * reach) || reach;
+  const [x, y] = [box.left, box.bottom + 1.1 * font];
+  box.add(x, y, 0, 0.1 * font);
+  const text = `${number(bar)} mm`;
   return [
-    svg("path", { class: "scale", d: `M${x},${y - 0.03 * inner}v${0.03 * inner}h${bar}v${-0.03 * inner}` }),
-    svg("text", { class: "scale-text", x: x + bar + font * 0.4, y, "font-size": font }, `${number(bar)} mm`),
+    svg("path", { class: "scale", d: `M${x},${y - 0.03 * reach}v${0.03 * reach}h${bar}v${-0.03 * reach}` }),
+    svg("text", { class: "scale-text", x: x + bar + font * 0.4, y, "font-size": font }, text),
   ];
 }

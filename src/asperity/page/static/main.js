@@ -3,8 +3,10 @@
 import { Chart } from "/chart.js";
 import { Comparison } from "/compare.js";
 import { Controls } from "/controls.js";
+import { followHeight, noVerdict } from "/headline.js";
 import { showHelp } from "/help.js";
 import { JobList } from "/jobs.js";
+import { connectPanels } from "/panels.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
 import { Uploads } from "/upload.js";
@@ -13,6 +15,7 @@ const get = (id) => document.getElementById(id);
 const page = document.documentElement;
 const RETRY = 2000; // ms
 const NOTHING = "There is no joint without errors to save.";
+const SAID = 10000; // ms that a message stays in view
 const REST = 300; // ms without a change, before the joint goes into the address
 
 let history = null;
@@ -30,18 +33,29 @@ let asking = false;
 let lastPath = null;
 let ownHash = "";
 let addressLater = 0; // the timer of REST
+let sayingLater = 0; // the timer of SAID
 let shownText = null; // of the joint file whose rows are on the page
 
 page.dataset.revision = "0";
 
-function say(text) {
-  if (get("status").textContent !== text) get("status").textContent = text;
+/** Tell those who listen, and those who look unless it stands in view anyway. */
+function say(text, quiet = false) {
+  const status = get("status");
+  if (status.textContent !== text) status.textContent = text;
+  status.classList.toggle("quiet", quiet);
+  clearTimeout(sayingLater);
+  if (!quiet && answer) sayingLater = setTimeout(() => status.classList.add("quiet"), SAID);
 }
 
 function showError(text) {
   get("error").hidden = !text;
   get("error").textContent = text;
-  get("answer").classList.toggle("stale", Boolean(text) || page.dataset.state === "lost");
+  stale(Boolean(text) || page.dataset.state === "lost");
+}
+
+/** Grey the results that are not those of what was entered. */
+function stale(old) {
+  for (const id of ["answer", "cards"]) get(id).classList.toggle("stale", old);
 }
 
 function banner(text) {
@@ -86,7 +100,7 @@ async function askOnce(state) {
       links();
       const stiffness = found.document.torsional_stiffness.assembly.output_Nm_per_arcmin;
       const bound = found.document.stiffness_bound ? `, ${found.document.stiffness_bound}` : "";
-      say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output${bound}`);
+      say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output${bound}`, true);
     } else if (found.kind === "busy") {
       setTimeout(ask, 500);
     } else {
@@ -95,13 +109,14 @@ async function askOnce(state) {
       const keys = Object.keys(named).length || lastPath === null ? named : { [lastPath]: found.error };
       controls.showErrors(keys);
       showError(found.error);
-      say("No result: see the message. The results shown are those of the last valid joint.");
+      say("No result: see the message. The results shown are those of the last valid joint.", true);
+      noVerdict("No result: see the message. The results shown are those of the last valid joint.");
     }
   } catch {
     page.dataset.state = "lost";
     banner("The server does not answer: it has been stopped, or the computer was asleep. Nothing you typed is lost; the page tries again every two seconds. To start it again: asperity serve");
-    get("answer").classList.add("stale");
-    say("The server does not answer.");
+    stale(true);
+    say("The server does not answer.", true);
     setTimeout(ask, RETRY);
   } finally {
     clearTimeout(slow);
@@ -263,18 +278,46 @@ function pin() {
   baseline = baseline ? null : answer;
   baselineState = shown;
   get("pin").setAttribute("aria-pressed", String(Boolean(baseline)));
-  get("pin").textContent = baseline ? "Remove baseline" : "Pin as baseline";
+  const [what, of] = baseline ? ["Remove", " baseline"] : ["Pin", " as baseline"];
+  get("pin").firstChild.data = what;
+  get("pin").lastElementChild.textContent = of;
+  get("headline").classList.toggle("compared", Boolean(baseline));
   showAnswer(answer, baseline);
   followed();
 }
 
 function theme(choice) {
   page.dataset.theme = choice;
+  keep("theme", choice);
+}
+
+/** Private windows may have no storage. */
+function keep(name, value) {
   try {
-    localStorage.setItem("theme", choice);
+    localStorage.setItem(name, value);
   } catch {
-    // private windows may have no storage
+    // the choice holds until the page is closed
   }
+}
+
+function kept(name) {
+  try {
+    return localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+}
+
+/** Forces in the drawing, as they were chosen the last time. */
+function forces() {
+  const box = get("show-forces");
+  const show = () => get("drive").classList.toggle("plain", !box.checked);
+  box.addEventListener("change", () => {
+    show();
+    keep("forces", box.checked ? "on" : "off");
+  });
+  box.checked = kept("forces") !== "off";
+  show();
 }
 
 function connect() {
@@ -326,12 +369,11 @@ function connect() {
 }
 
 async function begin() {
-  try {
-    const kept = localStorage.getItem("theme");
-    if (kept) get("theme").value = page.dataset.theme = kept;
-  } catch {
-    // as above
-  }
+  if (kept("theme")) get("theme").value = page.dataset.theme = kept("theme");
+  get("status").classList.add("quiet");
+  followHeight();
+  connectPanels();
+  forces();
   const described = await (await fetch("/api/description")).json();
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed, changedTogether, () => takeSurfaces([]));

@@ -56,7 +56,8 @@ export function svg(name, attributes = {}, ...children) {
 
 /** A table from headings and rows; the first cell of a row is its heading; `words` are the columns of words beside it. */
 export function table(caption, headings, rows, words = new Set()) {
-  const aligned = (place) => (words.has(place) ? { class: "w" } : {});
+  const labels = headings.map((text) => (typeof text === "string" ? text : text?.dataset.label ?? ""));
+  const aligned = (place) => ({ class: words.has(place) ? "w" : null, "data-label": labels[place] });
   return element(
     "table",
     {},

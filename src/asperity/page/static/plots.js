@@ -2,13 +2,14 @@
 
 import { element, number, svg } from "/numbers.js";
 
-const WIDTH = 480;
-const HEIGHT = 300;
-const LEFT = 78; // at least
-const DIGIT = 8.6; // width of a figure of a tick
-const RIGHT = 14;
-const TOP = 12;
-const BOTTOM = 46;
+/** Sizes of a plot in the units of its texts, which are 12 of them high: beside others, and alone. */
+export const SMALL = { width: 330, height: 216 };
+export const LARGE = { width: 640, height: 340 };
+const LEFT = 48; // at least
+const DIGIT = 7.4; // width of a figure of a tick
+const RIGHT = 12;
+const TOP = 8;
+const BOTTOM = 38;
 
 /** Round ticks that cover a range. */
 export function ticks(low, high, most = 6) {
@@ -62,21 +63,23 @@ function tickTexts(values) {
 
 /**
  * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one"
- * to "five", and `mark`: { x, y } a dot on the curve; `point`: { x, y, name } marks the joint itself; `shades`: [{ from, to, text }] are parts of the horizontal axis
- * without a result; `dots` marks the points of the curves.
+ * to "five", and `mark`: { x, y } a dot on the curve; `point`: { x, y, name } marks the joint itself; `limit`: { x, name } a line across; `shades`: [{ from, to, text }] are parts
+ * of the horizontal axis without a result; `dots` marks the points of the curves, which begin at a distance `from` the middle of the horizontal axis.
  */
-export function linePlot({ title, note, x, y, series, point, shades = [], log = false, logX = false, zero = false, dots = false, empty }) {
+export function linePlot({ title, note, x, y, series, point, limit = null, shades = [], log = false, logX = false, zero = false, dots = false, from = 0, size = SMALL, empty }) {
+  const { width: WIDTH, height: HEIGHT } = size;
   const figure = element("figure", { class: "panel plot" }, element("figcaption", {}, title));
   const good = (value) => value !== null && Number.isFinite(value) && (!log || value > 0);
-  const pairs = series.map((line) => line.x.map((each, i) => [each, line.y[i]]).filter(([a, b]) => good(b) && a !== null));
+  const pairs = series.map((line) => line.x.map((each, i) => [each, line.y[i]]).filter(([a, b]) => good(b) && a !== null && Math.abs(a) >= from));
   const all = pairs.flat();
   if (point && good(point.y)) all.push([point.x, point.y]);
   if (all.length < 2) {
+    figure.classList.add("without");
     figure.append(element("p", { class: "empty" }, empty || "No curve: there is no value at any torque."));
     return figure;
   }
   const shaded = shades.flatMap((shade) => [shade.from, shade.to]);
-  const [xLow, xHigh] = range([...all.map((pair) => pair[0]), ...shaded]);
+  const [xLow, xHigh] = range([...all.map((pair) => pair[0]), ...shaded, ...(from ? [0] : [])]);
   let [yLow, yHigh] = range(all.map((pair) => pair[1]), { zero });
   const margin = log ? (yHigh / yLow) ** 0.06 : 0.06 * (yHigh - yLow);
   if (log) [yLow, yHigh] = [yLow / margin, yHigh * margin];
@@ -85,7 +88,7 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
   const across = logX ? Math.log10 : (value) => value;
   const yTicks = log ? decades(yLow, yHigh) : ticks(yLow, yHigh, 5);
   const yTexts = log ? yTicks.map((value) => number(value, 2)) : tickTexts(yTicks);
-  const left = Math.max(LEFT, 26 + DIGIT * Math.max(...yTexts.map((text) => text.length))); // ticks beside the label of the axis
+  const left = Math.max(LEFT, 24 + DIGIT * Math.max(...yTexts.map((text) => text.length))); // ticks beside the label of the axis
   const px = (value) => left + ((across(value) - across(xLow)) / (across(xHigh) - across(xLow))) * (WIDTH - left - RIGHT);
   const py = (value) => TOP + ((scale(yHigh) - scale(value)) / (scale(yHigh) - scale(yLow))) * (HEIGHT - TOP - BOTTOM);
   const drawn = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": summary(title, x, y, series) });
@@ -95,12 +98,12 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
       svg("rect", { class: "shade", x: px(shade.from), y: TOP, width, height: HEIGHT - TOP - BOTTOM }, svg("title", {}, `no result: ${shade.text}`)),
     );
   }
-  const xTicks = logX ? decades(xLow, xHigh) : ticks(xLow, xHigh);
+  const xTicks = logX ? decades(xLow, xHigh) : ticks(xLow, xHigh, WIDTH > 500 ? 6 : 5);
   const xTexts = logX ? xTicks.map((value) => number(value, 2)) : tickTexts(xTicks);
   xTicks.forEach((value, i) => {
     drawn.append(
       svg("line", { class: "grid", x1: px(value), x2: px(value), y1: TOP, y2: HEIGHT - BOTTOM }),
-      svg("text", { class: "tick", x: px(value), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle" }, xTexts[i]),
+      svg("text", { class: "tick", x: px(value), y: HEIGHT - BOTTOM + 14, "text-anchor": "middle" }, xTexts[i]),
     );
   });
   yTicks.forEach((value, i) => {
@@ -111,15 +114,17 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
   });
   drawn.append(
     svg("path", { class: "axis", d: `M${left},${TOP}V${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }),
-    svg("text", { class: "label", x: (left + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle" }, x),
-    svg("text", { class: "label", transform: `translate(13 ${(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)`, "text-anchor": "middle" }, y),
+    svg("text", { class: "label", x: (left + WIDTH - RIGHT) / 2, y: HEIGHT - 5, "text-anchor": "middle" }, x),
+    svg("text", { class: "label", transform: `translate(11 ${(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)`, "text-anchor": "middle" }, y),
   );
+  const marked = limit && limit.x > xLow && limit.x <= xHigh ? limit : null;
+  if (marked) drawn.append(svg("line", { class: "capacity", x1: px(marked.x), x2: px(marked.x), y1: TOP, y2: HEIGHT - BOTTOM }));
   series.forEach((line) => {
     // a gap where there is no value
     let path = "";
     let pen = "M";
     line.x.forEach((each, i) => {
-      if (good(line.y[i])) {
+      if (good(line.y[i]) && Math.abs(each) >= from) {
         path += `${pen}${px(each).toFixed(2)},${py(line.y[i]).toFixed(2)}`;
         pen = "L";
       } else pen = "M";
@@ -131,12 +136,12 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
     drawn.append(svg("circle", { class: `dot ${line.kind}`, cx: px(line.mark.x), cy: py(line.mark.y), r: 5 }));
   }
   if (point && good(point.y)) drawn.append(svg("circle", { class: "point", cx: px(point.x), cy: py(point.y), r: 5 }));
-  figure.append(drawn, legend(series, point));
+  figure.append(drawn, legend(series, point, marked));
   if (note) figure.append(element("p", { class: "note" }, note));
   return figure;
 }
 
-function legend(series, point) {
+function legend(series, point, marked) {
   const list = element("ul", { class: "legend" });
   for (const line of series) {
     const sample = svg(
@@ -149,6 +154,10 @@ function legend(series, point) {
   if (point) {
     const dot = svg("svg", { class: "sample dot", viewBox: "0 0 10 10", "aria-hidden": "true" }, svg("circle", { class: "point", cx: 5, cy: 5, r: 4 }));
     list.append(element("li", {}, dot, point.name || "this joint"));
+  }
+  if (marked) {
+    const line = svg("svg", { class: "sample", viewBox: "0 0 28 10", "aria-hidden": "true" }, svg("path", { class: "capacity", d: "M0,5H28" }));
+    list.append(element("li", {}, line, marked.name));
   }
   return list;
 }

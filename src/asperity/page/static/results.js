@@ -1,23 +1,33 @@
 // The results of one joint beside those of a pinned baseline: its views, drawing and curves.
 
-import { elements } from "/blocks.js";
+import { elements, keyFigures, marginsTable, pairs } from "/blocks.js";
 import { curves } from "/curves.js";
 import { driveDrawing, freeBodies } from "/drawing.js";
-
-/** Panels whose numbers stand beside those of the baseline. */
-const COMPARED = ["cards", "levels"];
+import { showHeadline } from "/headline.js";
+import { fill, fitTables } from "/panels.js";
 
 const get = (id) => document.getElementById(id);
 
+/** What each panel shows of an answer, by its place on the page; with what the baseline has there. */
+const PANELS = {
+  overview: ({ views }, baseline) => keyFigures(views.cards[0], baseline?.views.cards[0]),
+  drawing: ({ drawing, document: found }) => driveDrawing(drawing, found),
+  warnings: ({ views }) => elements(views.warnings),
+  margins: ({ views }) => marginsTable(views.margins),
+  levels: ({ views }, baseline) => elements(views.levels, { before: baseline?.views.levels, panel: "Torsional stiffness", fold: true }),
+  budget: ({ views }) => elements(views.budget, { panel: "Compliance of the assembled joint, by spring", fold: true }),
+  plots: curves,
+  numbers: ({ views }) => pairs(views.numbers[0]),
+  bodies: ({ drawing }) => freeBodies(drawing),
+  contacts: ({ views }) => elements(views.contacts),
+  assumptions: ({ views }) => elements(views.assumptions),
+};
+
 export function showAnswer(answer, baseline) {
-  for (const [name, blocks] of Object.entries(answer.views)) {
-    const heading = get(name).closest(".panel")?.querySelector("h2")?.textContent;
-    get(name).replaceChildren(...elements(blocks, baseline && COMPARED.includes(name) ? baseline.views[name] : [], heading));
-  }
-  get("drawing").replaceChildren(...driveDrawing(answer.drawing, answer.document));
-  const bodies = freeBodies(answer.drawing);
-  get("forces").hidden = !bodies.length;
-  get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
-  get("bodies").replaceChildren(...bodies);
-  get("plots").replaceChildren(...curves(answer, baseline));
+  showHeadline(answer, baseline);
+  get("forces").hidden = !answer.drawing.bodies.length;
+  get("forces").classList.toggle("several", answer.drawing.bodies.length > 2);
+  get("warned").classList.toggle("none", !answer.views.warnings[0].items);
+  for (const [name, make] of Object.entries(PANELS)) fill(get(name), () => make(answer, baseline));
+  fitTables();
 }
