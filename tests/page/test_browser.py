@@ -24,11 +24,14 @@ ROOT = Path(__file__).parents[2]
 FILE = ROOT / "examples" / "tutorial_joint.toml"
 
 
-def stiffness(**changes):
-    """Assembled stiffness in N·m/arcmin with four digits, as the card shows it."""
+def solution(**changes):
     changes = {key.replace("__", "."): value for key, value in changes.items()}
-    values = replace_values(si_values(read_case(FILE)), changes)
-    return shown(solve_joint(joint_from_values(values)))
+    return solve_joint(joint_from_values(replace_values(si_values(read_case(FILE)), changes)))
+
+
+def stiffness(**changes):
+    """Assembled stiffness in N·m/arcmin with four digits, as the headline shows it."""
+    return shown(solution(**changes))
 
 
 def shown(solution):
@@ -279,12 +282,28 @@ def test_choices_change_the_joint(page):
 
 
 def test_a_baseline_is_compared(page):
+    """Changes beside the figures, those that are better and worse by the direction of each."""
+
+    def change(name):
+        said = page.locator(f'#cards [data-change="{name}"]')
+        return float(said.inner_text().split(" ")[0].replace("−", "-")), said.get_attribute("class")
+
     page.get_by_role("button", name="Pin as baseline").click()
+    assert page.locator('#cards [data-change="Stiffness"]').inner_text().startswith("±0")
     write(page, "load.preload", "2000 N")
-    change = page.locator('[data-change="Stiffness"]').inner_text()
-    share = stiffness(load__preload=2000.0)[1] / stiffness()[1] - 1.0
-    assert float(change.split(" ")[0].replace("−", "-")) == pytest.approx(100.0 * share, rel=5e-3)
+    found, before = (solution(load__preload=preload).result for preload in (2000.0, 1000.0))
+    share, look = change("Stiffness")
+    values = (float(each.assembly.stiffness.output) for each in (found, before))
+    assert share == pytest.approx(100.0 * (next(values) / next(values) - 1.0), rel=5e-3)
+    assert "better" in look
+    share, look = change("Drift")
+    drifts = (float(each.rolling.drift_per_output_turn) for each in (found, before))
+    assert share == pytest.approx(100.0 * (next(drifts) / next(drifts) - 1.0), rel=5e-3)
+    assert ("better" in look) == (share < 0.0)
+    assert page.locator('#cards [data-change="Mass"]').inner_text().startswith("±0")
     assert page.locator("path.ghost").count() >= 2
+    page.get_by_role("button", name="Remove baseline").click()
+    assert page.locator("#cards [data-change]").count() == 0
 
 
 def test_the_downloaded_file_solves_to_the_same_number(page, tmp_path):

@@ -94,6 +94,22 @@ class Block(_Described):
     kind: str = Field(json_schema_extra={"enum": [kind.__name__.lower() for kind in get_args(blocks.Block)]})
 
 
+class Figure(_Described):
+    """One number by which a joint is judged."""
+
+    name: str
+    shown: str = Field(description="As text, without its unit.")
+    unit: str
+    detail: str = Field(description="A few words on it.")
+    si: Number
+
+
+class Figures(_Described):
+    """Key figures of a joint, without its torque capacity."""
+
+    figures: list[Figure] = Field(description="Empty where the joint has no state under its torque.")
+
+
 class CreepCurve(_Described):
     """Traction T/N over creepage, up to gross slip."""
 

@@ -23,6 +23,7 @@ from asperity.page.chart import chart_answer, chart_request, chart_results
 from asperity.page.comparison import comparison_answer, comparison_request
 from asperity.page.computation import MOST_WAITING, Computations, KeptAnswers
 from asperity.page.description import description
+from asperity.page.first_figures import first_figures
 from asperity.page.guard import App, Guard, parsed, problem, refusal, require_type
 from asperity.page.jobs import Jobs
 from asperity.page.joint_request import JointRequest, attachment, joint_request
@@ -51,7 +52,9 @@ ASSETS: dict[str, tuple[str, str]] = {
                 "units",
                 "help",
                 "headline",
+                "messages",
                 "panels",
+                "preferences",
                 "results",
                 "blocks",
             ),
@@ -77,7 +80,8 @@ def application(
     jobs, measurements = Jobs(), Measurements()
     # each file in a thread: the largest ones take seconds, which others do not wait for
     readers = Computations(longest=LONGEST_ANSWER, threads=MOST_WAITING)
-    joints = _JointAddresses(computations, charts, readers)
+    first = Computations(longest=LONGEST_ANSWER)  # which do not wait for whole answers
+    joints = _JointAddresses(computations, charts, readers, first)
     stated = stated_values(start.case(), start.file_tables)
     described = {
         **description(),
@@ -108,6 +112,7 @@ def application(
         computations.close()
         charts.close()
         readers.close()
+        first.close()
         measurements.close()
         jobs.close()
 
@@ -126,8 +131,10 @@ def application(
 class _JointAddresses:
     """The addresses that compute a joint, and those that give what was computed as a file."""
 
-    def __init__(self, computations: Computations, charts: Computations, readers: Computations) -> None:
-        self._computations, self._charts, self._readers = computations, charts, readers
+    def __init__(
+        self, computations: Computations, charts: Computations, readers: Computations, first: Computations
+    ) -> None:
+        self._computations, self._charts, self._readers, self._first = computations, charts, readers, first
         self._kept = KeptAnswers()
 
     def routes(self) -> list[Route]:
@@ -135,6 +142,7 @@ class _JointAddresses:
         return [
             Route("/api/results", self._results, methods=["POST"]),
             Route("/api/joint", self._joint, methods=["POST"]),
+            Route("/api/figures", self._figures, methods=["POST"]),
             Route("/api/chart", self._chart, methods=["POST"]),
             Route("/api/compare", self._comparison, methods=["POST"]),
             Route("/api/joint/{identity:str}/joint.{kind}", self._download, methods=["GET"]),
@@ -166,6 +174,10 @@ class _JointAddresses:
     async def _joint(self, request: Request) -> Response:
         asked = joint_request(await _body(request))
         return await self._computed([asked], self._computations, self.answered, asked)
+
+    async def _figures(self, request: Request) -> Response:
+        asked = joint_request(await _body(request))
+        return await self._computed([asked], self._first, first_figures, asked)
 
     async def _chart(self, request: Request) -> Response:
         asked = chart_request(await _body(request))

@@ -139,6 +139,11 @@ def _joint_paths() -> Schema:
             requests.Request,
             answers.Answer,
         ),
+        "/api/figures": _post(
+            "The key figures of one joint that need no torque capacity: an answer in a tenth of the time.",
+            requests.Request,
+            answers.Figures,
+        ),
         "/api/chart": _post(
             "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
             requests.ChartRequest,

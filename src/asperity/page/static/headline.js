@@ -63,6 +63,7 @@ export function showHeadline(answer, baseline) {
   const mark = { fail: "✗", pass: "✓", unknown: "?" }[kind];
   const tightest = nearest ? ` Tightest margin: ${nearest.words}.` : "";
   get("headline").dataset.verdict = kind;
+  get("verdict").classList.remove("waits");
   get("verdict").replaceChildren(element("strong", {}, `${mark} ${title}`), element("span", { class: "words" }, ` ${words}${tightest}`));
 }
 

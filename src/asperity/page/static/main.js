@@ -3,10 +3,12 @@
 import { Chart } from "/chart.js";
 import { Comparison } from "/compare.js";
 import { Controls } from "/controls.js";
-import { followHeight, noVerdict } from "/headline.js";
+import { followHeight, noVerdict, showFirst, showHeadline } from "/headline.js";
 import { showHelp } from "/help.js";
 import { JobList } from "/jobs.js";
+import { banner, notice, say } from "/messages.js";
 import { connectPanels } from "/panels.js";
+import { connectPreferences } from "/preferences.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
 import { Uploads } from "/upload.js";
@@ -15,7 +17,9 @@ const get = (id) => document.getElementById(id);
 const page = document.documentElement;
 const RETRY = 2000; // ms
 const NOTHING = "There is no joint without errors to save.";
-const SAID = 10000; // ms that a message stays in view
+const SLOW = 1500; // ms after which it is said that an answer takes long
+const SETTLED = 120; // ms without a change before everything is computed
+const PATIENCE = 1000; // ms after which it is computed although changes go on
 const REST = 300; // ms without a change, before the joint goes into the address
 
 let history = null;
@@ -31,21 +35,14 @@ let baselineState = null;
 let wanted = false; // something changed since the last request began
 let asking = false;
 let lastPath = null;
+let changedAt = 0; // when the joint was changed the last time [ms]
+let first = null; // state and figures that were known first
+let firstAsked = null; // the request for the first figures that is on its way
 let ownHash = "";
 let addressLater = 0; // the timer of REST
-let sayingLater = 0; // the timer of SAID
 let shownText = null; // of the joint file whose rows are on the page
 
 page.dataset.revision = "0";
-
-/** Tell those who listen, and those who look unless it stands in view anyway. */
-function say(text, quiet = false) {
-  const status = get("status");
-  if (status.textContent !== text) status.textContent = text;
-  status.classList.toggle("quiet", quiet);
-  clearTimeout(sayingLater);
-  if (!quiet && answer) sayingLater = setTimeout(() => status.classList.add("quiet"), SAID);
-}
 
 function showError(text) {
   get("error").hidden = !text;
@@ -56,11 +53,6 @@ function showError(text) {
 /** Grey the results that are not those of what was entered. */
 function stale(old) {
   for (const id of ["answer", "cards"]) get(id).classList.toggle("stale", old);
-}
-
-function banner(text) {
-  get("banner").hidden = !text;
-  get("banner").textContent = text;
 }
 
 async function post(path, body, type = "application/json") {
@@ -74,14 +66,51 @@ async function ask() {
   if (asking) return;
   asking = true;
   while (wanted) {
+    if (answer) await settled();
     wanted = false;
     await askOnce(history.state);
   }
   asking = false;
 }
 
+/** Wait until the newest first figures are there and no change has followed for a moment, but not for ever. */
+async function settled() {
+  const began = performance.now();
+  while (performance.now() - began < PATIENCE) {
+    await firstAsked;
+    const left = changedAt + SETTLED - performance.now();
+    if (left <= 0) return;
+    await new Promise((done) => setTimeout(done, left));
+  }
+}
+
+/** First figures stand until the whole answer of their joint is there. */
+function showNewest() {
+  const behind = first !== null && first.state === history.state && shown !== first.state;
+  if (behind) showFirst(first.figures, baseline);
+  get("answer").classList.toggle("behind", behind);
+}
+
+/** The figures that are known first, of the newest state; what else there is greys until it follows. */
+async function askFirst() {
+  const asked = history.state;
+  let figures = [];
+  try {
+    const [ok, found] = await post("/api/figures", JSON.stringify(asked));
+    if (ok) ({ figures } = found);
+  } catch {
+    // the whole answer says it
+  }
+  if (figures.length && page.dataset.state === "ready") {
+    first = { state: asked, figures };
+    showNewest();
+    page.dataset.figures = String(Number(page.dataset.figures ?? 0) + 1);
+  }
+  firstAsked = history.state === asked ? null : askFirst();
+}
+
 async function askOnce(state) {
-  const slow = setTimeout(() => say("Computing…"), 400);
+  const slow = setTimeout(() => say("Computing…"), SLOW);
   const slower = setTimeout(() => say("Computing. The first time on this computer, the programs are compiled: up to a minute."), 3000);
   try {
     const [ok, found] = await post("/api/joint", JSON.stringify(state));
@@ -96,6 +125,7 @@ async function askOnce(state) {
       showError("");
       showAnswer(found, baseline);
       shown = state;
+      showNewest();
       followed();
       links();
       const stiffness = found.document.torsional_stiffness.assembly.output_Nm_per_arcmin;
@@ -109,6 +139,9 @@ async function askOnce(state) {
       const keys = Object.keys(named).length || lastPath === null ? named : { [lastPath]: found.error };
       controls.showErrors(keys);
       showError(found.error);
+      first = null;
+      get("answer").classList.remove("behind");
+      if (answer) showHeadline(answer, baseline);
       say("No result: see the message. The results shown are those of the last valid joint.", true);
       noVerdict("No result: see the message. The results shown are those of the last valid joint.");
     }
@@ -185,12 +218,6 @@ async function saveReport(kind) {
   }
 }
 
-/** A message that is not about the values: the results stay as they are. */
-function notice(text) {
-  get("error").hidden = false;
-  get("error").textContent = text;
-}
-
 /** The joint in the address: when it rests, because a new address costs a browser more time than the plots. */
 function addressSoon() {
   clearTimeout(addressLater);
@@ -212,6 +239,8 @@ function refresh() {
   get("redo").disabled = !history.canRedo;
   if (state.toml === shownText) controls.lists.show(state.changes);
   addressSoon();
+  changedAt = performance.now();
+  if (answer && !firstAsked) firstAsked = askFirst();
   ask();
 }
 
@@ -286,40 +315,6 @@ function pin() {
   followed();
 }
 
-function theme(choice) {
-  page.dataset.theme = choice;
-  keep("theme", choice);
-}
-
-/** Private windows may have no storage. */
-function keep(name, value) {
-  try {
-    localStorage.setItem(name, value);
-  } catch {
-    // the choice holds until the page is closed
-  }
-}
-
-function kept(name) {
-  try {
-    return localStorage.getItem(name);
-  } catch {
-    return null;
-  }
-}
-
-/** Forces in the drawing, as they were chosen the last time. */
-function forces() {
-  const box = get("show-forces");
-  const show = () => get("drive").classList.toggle("plain", !box.checked);
-  box.addEventListener("change", () => {
-    show();
-    keep("forces", box.checked ? "on" : "off");
-  });
-  box.checked = kept("forces") !== "off";
-  show();
-}
-
 function connect() {
   get("undo").addEventListener("click", () => step(-1));
   get("redo").addEventListener("click", () => step(1));
@@ -344,7 +339,6 @@ function connect() {
       say("The browser does not allow copying; copy the address of the page instead.");
     }
   });
-  get("theme").addEventListener("change", (event) => theme(event.target.value));
   document.addEventListener("keydown", (event) => {
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !["z", "y"].includes(key)) return;
@@ -369,11 +363,9 @@ function connect() {
 }
 
 async function begin() {
-  if (kept("theme")) get("theme").value = page.dataset.theme = kept("theme");
-  get("status").classList.add("quiet");
   followHeight();
   connectPanels();
-  forces();
+  connectPreferences();
   const described = await (await fetch("/api/description")).json();
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed, changedTogether, () => takeSurfaces([]));
