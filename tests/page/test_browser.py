@@ -486,7 +486,7 @@ def test_every_control_has_a_name_and_the_page_fits_400_px(page):
     assert unnamed == []
     # a narrow field cuts off what holds while it is empty; its title has the whole of it
     bore = field(page, "drive.planet_bore_diameter")
-    assert bore.get_attribute("title") == bore.get_attribute("placeholder") == "solid if absent"
+    assert (bore.get_attribute("title"), bore.get_attribute("placeholder")) == ("solid if absent", "solid")
     ids = page.evaluate("[...document.querySelectorAll('[id]')].map((each) => each.id)")
     assert len(ids) == len(set(ids))
     page.set_viewport_size({"width": 400, "height": 800})

@@ -127,7 +127,7 @@ def test_forces_are_switched_off_and_stay_so(page):
 def test_an_error_is_said_where_it_is_always_seen(page):
     before = page.locator("#cards").inner_text()
     do(page, lambda: (page.locator("#value-load-preload").fill("1 mm"), page.keyboard.press("Enter")))
-    assert page.locator("#verdict").inner_text().startswith("No result: see the message")
+    assert page.locator("#verdict").inner_text().startswith("✗ No result See the message")
     assert page.locator("#cards").inner_text() == before
     write(page, "load.preload", "1000 N")
     assert "Works" in page.locator("#verdict").inner_text()

@@ -13,7 +13,7 @@ const FILLS = { FAIL: "bad", outside: "outside" };
 const hidden = (text) => element("span", { class: "visually-hidden" }, text);
 
 /** A text whose lines stand below each other. */
-const lines = (text) => element("span", { "data-label": text.replaceAll("\n", ", ") }, ...text.split("\n").flatMap((line, at) => (at ? [element("br"), line] : [line])));
+const lines = (text) => element("span", { "data-label": text.replace(/\n-$/, "").replaceAll("\n", ", ") }, ...text.split("\n").flatMap((line, at) => (at ? [element("br"), line] : [line])));
 
 /** A share of a whole or of a limit as a bar; where some are negative, to the left for less. */
 function bar(share, kind, signed) {
@@ -62,7 +62,7 @@ export function keyFigures({ items }, before) {
     if (changed && changed.text !== SAME) value.push(element("span", { class: "was" }, `baseline ${before.items[at].shown} `, element("span", { class: `change ${changed.kind}` }, changed.text)));
     return [item.name, element("span", {}, ...value), item.detail];
   });
-  return [scrolled("Key figures", table("Key figures", ["quantity", "value", "what it is"], rows, new Set([0, 2])))];
+  return [scrolled("Key figures", table("Key figures", ["quantity", "value", "details"], rows, new Set([0, 2])))];
 }
 
 /** A table of names and values as a list of pairs, in as many columns as there is room for. */

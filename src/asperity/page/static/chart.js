@@ -4,6 +4,7 @@ import { label } from "/controls.js";
 import { element, number, unitText } from "/numbers.js";
 import { LARGE, linePlot, SMALL } from "/plots.js";
 
+const WIDE = ["result", "over", "family"]; // whose words are long
 const KINDS = ["one", "two", "three", "four", "five"];
 const PAUSE = 150; // ms without a change of the joint before a chart is asked for
 const START = { over: ["load.preload", "load.interference", "load.output_torque"], result: "assembly_stiffness_output" };
@@ -75,7 +76,7 @@ export class Chart {
   }
 
   build() {
-    const field = (name, ...parts) => element("div", { class: "field" }, element("label", { for: `chart-${name}` }, words(name)), ...parts);
+    const field = (name, ...parts) => element("div", { class: WIDE.includes(name) ? "field wide" : "field" }, element("label", { for: `chart-${name}` }, words(name)), ...parts);
     const input = (name, attributes) => element("input", { type: "text", id: `chart-${name}`, spellcheck: "false", ...attributes });
     this.over = element("select", { id: "chart-over" });
     this.family = element("select", { id: "chart-family" });

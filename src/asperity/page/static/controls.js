@@ -265,11 +265,12 @@ export class Controls {
   placeholder(parameter, entry, list) {
     if (isDepth(parameter.key) && !entry) return `e.g. ${parameter.example}`;
     if (list) return list.name === "branch" ? "0" : "";
-    return (parameter.default || (entry ? parameter.example : "not in the file")).replace("if absent, ", "");
+    return (parameter.default || (entry ? parameter.example : "not in the file")).replace(/if absent[,:] | if absent/, "");
   }
 
   rescale(row, value) {
     row.slider.disabled = value === null;
+    row.node.classList.toggle("absent", value === null && !row.list);
     if (value === null) return;
     const share = row.list?.key === "share"; // others have a part, too
     row.scale = sliderScale(share ? { ...row.parameter, highest_included: false } : row.parameter, value);

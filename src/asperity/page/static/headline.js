@@ -64,7 +64,7 @@ export function showHeadline(answer, baseline) {
   const tightest = nearest ? ` Tightest margin: ${nearest.words}.` : "";
   get("headline").dataset.verdict = kind;
   get("verdict").classList.remove("waits");
-  get("verdict").replaceChildren(element("strong", {}, `${mark} ${title}`), element("span", { class: "words" }, ` ${words}${tightest}`));
+  get("verdict").replaceChildren(element("strong", {}, `${mark} ${title}`), element("span", { class: "words" }, ` ${words[0].toUpperCase()}${words.slice(1)}${tightest}`));
 }
 
 /** Figures that are known before all else is: they take the places of those of the same name, whose cells wait for the rest. */
@@ -79,9 +79,10 @@ export function showFirst(items, baseline) {
 }
 
 /** The verdict no longer belongs to what was entered: why there is no result. */
-export function noVerdict(text) {
+export function noVerdict(title, words) {
   get("headline").dataset.verdict = "stale";
-  get("verdict").replaceChildren(element("strong", {}, text));
+  get("verdict").classList.remove("waits");
+  get("verdict").replaceChildren(element("strong", {}, title), element("span", { class: "words" }, ` ${words}`));
 }
 
 /** The place below the headline, for what sticks there and for what is scrolled to. */

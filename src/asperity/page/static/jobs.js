@@ -26,7 +26,7 @@ export class JobList {
     this.distribution = element(
       "select",
       { id: "job-distribution" },
-      ...[["", "as the file states them"], ["uniform", "uniform"], ["triangular", "triangular"], ["normal 2 sigma", "normal, 2 standard deviations"], ["normal 3 sigma", "normal, 3 standard deviations"]].map(([value, text]) => element("option", { value }, text)),
+      ...[["", "as in the file"], ["uniform", "uniform"], ["triangular", "triangular"], ["normal 2 sigma", "normal, ± is 2 σ"], ["normal 3 sigma", "normal, ± is 3 σ"]].map(([value, text]) => element("option", { value }, text)),
     );
     const field = (id, text, input) => element("div", { class: "field" }, element("label", { for: id }, text), input);
     this.design = begin("Design", "design", "begin-design", () => ({ design: this.designFile.design, file: this.designFile.name }));

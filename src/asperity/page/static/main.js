@@ -143,7 +143,7 @@ async function askOnce(state) {
       get("answer").classList.remove("behind");
       if (answer) showHeadline(answer, baseline);
       say("No result: see the message. The results shown are those of the last valid joint.", true);
-      noVerdict("No result: see the message. The results shown are those of the last valid joint.");
+      noVerdict("✗ No result", "See the message; the results shown are those of the last valid joint.");
     }
   } catch {
     page.dataset.state = "lost";
