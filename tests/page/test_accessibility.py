@@ -51,6 +51,7 @@ def violations(page, part="document"):
     found = {}
     for width in (400, 1400):
         page.set_viewport_size({"width": width, "height": 900})
+        page.evaluate("document.getElementById('tools').open = true")  # a menu on a narrow screen
         for theme in ("light", "dark"):
             page.locator("#theme").select_option(theme)
             for each in page.evaluate(f"async () => (await axe.run({part})).violations"):

@@ -70,13 +70,15 @@ export function pairs({ rows }) {
   return [element("dl", { class: "pairs" }, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))))];
 }
 
-/** The margins, and below them how to read them. */
+/** The margins, last those that say only where the published contact law does not hold, and below them how to read them. */
 export function marginsTable(blocks) {
   const [margins] = blocks.filter((block) => block.kind === "table");
-  const rows = margins.rows.map((row) => (row[1] === OF_MODEL && row.at(-1) === "FAIL" ? [...row.slice(0, -1), "outside"] : row));
-  const made = tableBlock({ ...margins, rows }, undefined, margins.title);
+  const beyond = (row) => row[1] === OF_MODEL && row.at(-1) === "FAIL";
+  const order = [...margins.rows.keys()].sort((one, other) => beyond(margins.rows[one]) - beyond(margins.rows[other]));
+  const rows = order.map((at) => (beyond(margins.rows[at]) ? [...margins.rows[at].slice(0, -1), "outside"] : margins.rows[at]));
+  const made = tableBlock({ ...margins, rows, shares: order.map((at) => margins.shares[at]) }, undefined, margins.title);
   made[0].classList.add("margins");
-  return [...made, folded("How to read this table", elements(blocks.filter((block) => block !== margins)))];
+  return [...made, folded("How to read this table", [...elements(blocks.filter((block) => block !== margins)), element("p", { class: "note" }, "Here those requirements of the model that fail stand last, as outside.")])];
 }
 
 /** Explanations that fold. */

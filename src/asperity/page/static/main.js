@@ -18,7 +18,7 @@ const page = document.documentElement;
 const RETRY = 2000; // ms
 const NOTHING = "There is no joint without errors to save.";
 const SLOW = 1500; // ms after which it is said that an answer takes long
-const SETTLED = 120; // ms without a change before everything is computed
+const SETTLED = 80; // ms without a change before everything is computed
 const PATIENCE = 1000; // ms after which it is computed although changes go on
 const REST = 300; // ms without a change, before the joint goes into the address
 
