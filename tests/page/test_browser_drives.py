@@ -226,7 +226,7 @@ def test_planets_of_unlike_sizes_have_a_table(page, tmp_path):
     shares = [float(each) for each in cells.all_inner_texts()]
     assert len(shares) == 3
     assert sum(shares) == pytest.approx(100.0, abs=0.2)
-    assert "contact by contact: planet 1 is pressed" in page.locator("#warnings").inner_text()
+    assert "contact by contact: planet 1 is pressed" in page.locator("#contacts").inner_text()
     figures = page.locator("#overview").inner_text()
     first = float(
         re.search(r"contact sp_3 slips at (\S+) N·m", figures)[1]
