@@ -31,6 +31,26 @@ def test_the_optimum_of_power_laws_from_every_start(evaluator, start):
     assert made.point(end) == pytest.approx(BEST, rel=1e-6)
 
 
+def test_a_line_search_that_fails_beyond_the_limits_begins_again_within_them(evaluator, monkeypatch):
+    """SLSQP that gives up at a slip ratio of 0.83 still ends at the optimum, without the slower trust-constr."""
+    made = evaluator(LIGHT, LIMITS)
+    minimize, methods = design_search.minimize, []
+
+    def gives_up_first(*arguments, **options):
+        methods.append(options["method"])
+        found = minimize(*arguments, **options)
+        if len(methods) == 1:
+            far = made.scaled({"load.preload": 300.0, "drive.contact_length": 4e-3})
+            found.x, found.success = np.append(far, found.x[-1]), False
+        return found
+
+    monkeypatch.setattr(design_search, "minimize", gives_up_first)
+    end, converged = local_optimum(made, np.array([0.5, 0.5]))
+    assert converged
+    assert made.point(end) == pytest.approx(BEST, rel=1e-6)
+    assert set(methods) == {"SLSQP"}
+
+
 def test_shadow_prices_are_the_exponents_of_the_optimum(evaluator):
     """m = 100 L = 100 P c^2/p^2 with P = 250/s: 1 % of the pressure limit gains 2 %, of the slip limit 1 %."""
     made = evaluator(LIGHT, LIMITS)

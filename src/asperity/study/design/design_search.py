@@ -79,66 +79,91 @@ def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
 def local_optimum(
     evaluator: DesignEvaluator, start: np.ndarray, *, fixed: np.ndarray | None = None
 ) -> tuple[np.ndarray, bool]:
-    """Where SLSQP ended from one start, with trust-constr where it fails, and whether that is a local optimum.
+    """Where SLSQP ended from one start, and whether that is a local optimum.
 
-    Scaled variables, shape (n,), of which the last bounds the objective from above; ``fixed`` ones keep their value.
+    Where its line search fails far from the limits, it begins once more within them; where that fails too,
+    trust-constr goes on. Scaled variables, shape (n,); ``fixed`` ones keep their value.
     """
-    size = start.size
-    fixed = np.zeros(size, dtype=bool) if fixed is None else fixed
-    lower, upper = np.where(fixed, start, 0.0), np.where(fixed, start, 1.0)
-    bounds = Bounds(np.append(lower, -np.inf), np.append(upper, np.inf))
-    upward = np.append(np.zeros(size), 1.0)
-
-    def inequalities(x: np.ndarray) -> np.ndarray:
-        design = evaluator(np.clip(x[:-1], lower, upper))
-        return np.concatenate([x[-1] - design.objective[0], design.margins])
-
-    def slopes(x: np.ndarray) -> np.ndarray:
-        design = evaluator(np.clip(x[:-1], lower, upper))
-        top = np.hstack([-design.objective_slopes[0], np.ones((design.objective.shape[1], 1))])
-        return np.vstack([top, np.hstack([design.margin_slopes, np.zeros((design.margins.size, 1))])])
-
-    begin = np.append(start, evaluator(start).objective.max())
-    solution = minimize(
-        lambda x: x[-1],
-        begin,
-        jac=lambda x: upward,
-        bounds=bounds,
-        constraints=[{"type": "ineq", "fun": inequalities, "jac": slopes}],
-        method="SLSQP",
-        options={"maxiter": 200, "ftol": 1e-12},
-    )
-    end = np.clip(solution.x[:-1], lower, upper) if np.all(np.isfinite(solution.x)) else start
-    if solution.success or (
-        evaluator(end).violation <= FEASIBLE and optimality(evaluator, end, fixed=fixed)[0] < OPTIMAL
-    ):
+    search = _Search(evaluator, start, np.zeros(start.size, dtype=bool) if fixed is None else fixed)
+    end, found = search.sequential(start)
+    if found:
         return end, True
-    if evaluator(end).violation > FEASIBLE and fixed.any():
-        return end, False
     if evaluator(end).violation > FEASIBLE:
+        if search.fixed.any():
+            return end, False
         end = smallest_violation(evaluator, end)
         if evaluator(end).violation > FEASIBLE:
             return end, False  # nothing to go on from: the limits conflict, at least around here
-    with warnings.catch_warnings():
-        # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
-        warnings.simplefilter("ignore")
-        second = minimize(
-            lambda x: x[-1],
-            np.append(end, evaluator(end).objective.max()),
-            jac=lambda x: upward,
-            hess=lambda x: np.zeros((size + 1, size + 1)),
-            bounds=bounds,
-            constraints=[NonlinearConstraint(inequalities, 0.0, np.inf, jac=slopes)],
-            method="trust-constr",
-            options={"maxiter": 300, "gtol": 1e-9, "xtol": 1e-10},
-        )
-    other = np.clip(second.x[:-1], lower, upper)
+        again, found = search.sequential(end)
+        if found and evaluator(again).violation <= FEASIBLE:
+            return again, True
+    other = search.trust_region(end)
     better = (evaluator(other).violation, float(evaluator(other).objective.max())) < (
         evaluator(end).violation,
         float(evaluator(end).objective.max()),
     )
     end = other if better else end
-    return end, evaluator(end).violation <= FEASIBLE and optimality(evaluator, end, fixed=fixed)[0] < OPTIMAL
+    return end, search.optimal(end)
+
+
+class _Search:
+    """One search: scaled variables of shape (n,), and behind them a number that bounds the objective from above."""
+
+    def __init__(self, evaluator: DesignEvaluator, start: np.ndarray, fixed: np.ndarray) -> None:
+        self.evaluator, self.fixed = evaluator, fixed
+        self.lower, self.upper = np.where(fixed, start, 0.0), np.where(fixed, start, 1.0)
+        self.bounds = Bounds(np.append(self.lower, -np.inf), np.append(self.upper, np.inf))
+        self.upward = np.append(np.zeros(start.size), 1.0)
+
+    def inequalities(self, x: np.ndarray) -> np.ndarray:
+        design = self.evaluator(np.clip(x[:-1], self.lower, self.upper))
+        return np.concatenate([x[-1] - design.objective[0], design.margins])
+
+    def slopes(self, x: np.ndarray) -> np.ndarray:
+        design = self.evaluator(np.clip(x[:-1], self.lower, self.upper))
+        top = np.hstack([-design.objective_slopes[0], np.ones((design.objective.shape[1], 1))])
+        return np.vstack([top, np.hstack([design.margin_slopes, np.zeros((design.margins.size, 1))])])
+
+    def begin(self, scaled: np.ndarray) -> np.ndarray:
+        return np.append(scaled, self.evaluator(scaled).objective.max())
+
+    def optimal(self, end: np.ndarray) -> bool:
+        if self.evaluator(end).violation > FEASIBLE:
+            return False
+        return optimality(self.evaluator, end, fixed=self.fixed)[0] < OPTIMAL
+
+    def sequential(self, start: np.ndarray) -> tuple[np.ndarray, bool]:
+        """Where SLSQP ends from here, and whether that is a local optimum."""
+        solution = minimize(
+            lambda x: x[-1],
+            self.begin(start),
+            jac=lambda x: self.upward,
+            bounds=self.bounds,
+            constraints=[{"type": "ineq", "fun": self.inequalities, "jac": self.slopes}],
+            method="SLSQP",
+            options={"maxiter": 200, "ftol": 1e-12},
+        )
+        finite = np.all(np.isfinite(solution.x))
+        end = np.clip(solution.x[:-1], self.lower, self.upper) if finite else start
+        return end, bool(solution.success) or self.optimal(end)
+
+    def trust_region(self, start: np.ndarray) -> np.ndarray:
+        """Where trust-constr ends from here, shape (n,)."""
+        size = self.upward.size
+        with warnings.catch_warnings():
+            # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
+            warnings.simplefilter("ignore")
+            solution = minimize(
+                lambda x: x[-1],
+                self.begin(start),
+                jac=lambda x: self.upward,
+                hess=lambda x: np.zeros((size, size)),
+                bounds=self.bounds,
+                constraints=[NonlinearConstraint(self.inequalities, 0.0, np.inf, jac=self.slopes)],
+                method="trust-constr",
+                options={"maxiter": 300, "gtol": 1e-9, "xtol": 1e-10},
+            )
+        return np.clip(solution.x[:-1], self.lower, self.upper)
 
 
 def violation_rank(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[float, float]:
