@@ -11,23 +11,19 @@ from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.reader import parse_case
 from asperity.precision import note_once
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture
 def written():
-    """The paper's joint as a designer's: without the lines that assume the paper's closure."""
-    text = EXAMPLE.read_text("utf-8")
-    for key in ('traction_split = "equal_coefficients"', 'closure_springs = "bulk"'):
-        (line,) = [each for each in text.splitlines(keepends=True) if each.startswith(key)]
-        text = text.replace(line, "")
-    return text
+    """The plain planetary of the examples."""
+    return (EXAMPLES / "planetary.toml").read_text("utf-8")
 
 
-def test_the_packaged_example_is_the_one_in_the_repository():
-    assert files("asperity.joint_file").joinpath("zou2025.toml").read_text("utf-8") == EXAMPLE.read_text(
-        "utf-8"
-    )
+@pytest.mark.parametrize("name", ["planetary", "zou2025"])
+def test_the_packaged_example_is_the_one_in_the_repository(name):
+    packaged = files("asperity.joint_file").joinpath(f"{name}.toml")
+    assert packaged.read_text("utf-8") == (EXAMPLES / f"{name}.toml").read_text("utf-8")
 
 
 def test_it_is_written_once_and_only_overwritten_when_asked(call, tmp_path, written):
@@ -50,8 +46,20 @@ def test_a_dash_prints_it(call, written):
     assert (outcome.code, outcome.out) == (0, written)
 
 
+def test_what_it_writes_is_a_joint_that_works(call, tmp_path):
+    file = tmp_path / "joint.toml"
+    call("init", file)
+    assert "\nWorks: " in call("joint", file).out
+
+
 def test_a_designers_file_does_not_inherit_the_papers_closure(call):
-    model = parse_case(call("init", "-").out, source="joint.toml").model
+    text = (EXAMPLES / "zou2025.toml").read_text("utf-8")
+    for key in ('traction_split = "equal_coefficients"', 'closure_springs = "bulk"'):
+        (line,) = [each for each in text.splitlines(keepends=True) if each.startswith(key)]
+        text = text.replace(line, "")
+    written = call("init", "-", "--type", "wedge").out
+    assert written == text
+    model = parse_case(written, source="joint.toml").model
     assert model.traction_split == "springs"
     assert model.closure_springs is None
 

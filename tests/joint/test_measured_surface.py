@@ -39,7 +39,7 @@ def measurement(dimension=1.4, roughness=1e-11, deviation=1e-3, log_deviation=0.
 @pytest.fixture(scope="module")
 def zou_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("joint") / "joint.toml"
-    CliRunner().invoke(command, ["init", str(path)], catch_exceptions=False)
+    CliRunner().invoke(command, ["init", str(path), "--type", "wedge"], catch_exceptions=False)
     return path
 
 

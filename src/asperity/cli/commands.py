@@ -18,33 +18,43 @@ from asperity.errors import RUNNING, AsperityError, printable
 
 #: Command name → one-line help, shown without importing the module of the command, which has its name.
 COMMANDS: dict[str, str] = {
-    "joint": "Forces, stiffness and warnings of a joint file.",
+    "init": "Write a commented joint file to start from.",
+    "joint": "Verdict, stiffness, forces and warnings of a joint file.",
+    "serve": "The joint as a page in the browser, with sliders and curves.",
+    "roll": "Drift, losses, thrust and life of a joint that turns.",
+    "window": "Torques that a joint may pass over temperature or preload, and what limits them.",
+    "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
+    "loads": "Forces on pins, bearings, shafts and housing.",
+    "dynamics": "Natural frequencies and frequency response with motor and load.",
+    "crown": "Crown radius and logarithmic profile for tilted rollers.",
     "compare": "Two joint files side by side: what differs, and what comes of it.",
     "sweep": "Evaluate a joint file on a grid of any of its numbers.",
     "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
     "uncertainty": "Intervals of the results from the tolerances of a joint file.",
     "tolerances": "Deviations and IT grades that keep nearly all drives above stated results.",
-    "window": "Torques that a joint may pass over temperature or preload, and what limits them.",
-    "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
-    "roll": "Drift, losses, thrust and life of a joint that turns.",
-    "crown": "Crown radius and logarithmic profile for tilted rollers.",
-    "loads": "Forces on pins, bearings, shafts and housing.",
-    "draw": "Draw the drive of a joint file to scale.",
-    "report": "One document about a joint for a design review.",
-    "dynamics": "Natural frequencies and frequency response with motor and load.",
-    "export": "A joint for MATLAB, MuJoCo and system simulations.",
-    "contact": "Stiffness of any number of roller pairs from a table.",
     "design": "The best joint within limits, or a Pareto front.",
     "calibrate": "Unknowns of a joint from a measured curve.",
-    "serve": "The joint as a page in the browser, with sliders and curves.",
-    "materials": "Library of materials and finishes, with sources.",
-    "init": "Write a commented joint file to start from.",
-    "schema": "Print the JSON schema of joint files, for editors.",
-    "completion": "Print a shell completion script.",
-    "reproduce": "Recompute the paper's figures and check its claims.",
+    "draw": "Draw the drive of a joint file to scale.",
+    "report": "One document about a joint for a design review.",
+    "export": "A joint for MATLAB, MuJoCo and system simulations.",
     "surface": "Measure roughness, spectrum, D and G of surfaces, make and combine them.",
+    "materials": "Library of materials and finishes, with sources.",
+    "contact": "Stiffness of any number of roller pairs from a table.",
     "validate": "Evidence that this installation computes correctly.",
     "verify-contact": "Compare contact laws with boundary elements, also on a measured map.",
+    "reproduce": "Recompute the figures of Zou et al. (2025) and check their claims.",
+    "schema": "Print the JSON schema of joint files, for editors.",
+    "completion": "Print a shell completion script.",
+}
+#: Where a section of the list begins → its heading.
+_SECTIONS = {
+    "init": "Begin",
+    "roll": "One joint in detail",
+    "sweep": "What if, and what is best",
+    "draw": "Show it, and pass it on",
+    "surface": "Surfaces, materials and single contacts",
+    "validate": "Check the numbers",
+    "schema": "For editors and shells",
 }
 #: Commands that share a module.
 _MODULES = dict.fromkeys(("init", "schema", "completion"), "start")
@@ -67,8 +77,12 @@ class LazyGroup(click.Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands from the table, without importing any of them."""
-        with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
+        names = list(COMMANDS)
+        starts = [place for place, name in enumerate(names) if name in _SECTIONS]
+        widest = max(map(len, names))
+        for start, end in zip(starts, [*starts[1:], len(names)], strict=True):
+            with formatter.section(_SECTIONS[names[start]]):
+                formatter.write_dl([(name.ljust(widest), COMMANDS[name]) for name in names[start:end]])
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -104,7 +118,10 @@ def _show_version(context: click.Context, option: click.Parameter, asked: bool) 
     help="Show the version.",
 )
 def asperity() -> None:
-    """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
+    """From a measured rough surface to a traction-drive joint that an engineer can decide on.
+
+    Begin with 'asperity init', then 'asperity joint joint.toml'. 'asperity COMMAND --help' explains a command.
+    """
 
 
 def _note(message: Warning | str, *_: object, **__: object) -> None:

@@ -10,6 +10,8 @@ from asperity.precision import note_once
 
 #: The type of a file that states none, which the options need not look for.
 _DEFAULT = "wedge"
+#: The type to begin with: a plain planetary, whose example works.
+_FIRST = "planetary"
 
 
 class TypeName(click.ParamType):
@@ -55,14 +57,17 @@ class TypeName(click.ParamType):
     "--type",
     "kind",
     type=TypeName(variants=True),
-    default=_DEFAULT,
+    default=_FIRST,
     show_default=True,
-    help="Type of the drive.",
+    help="Type of the drive; wedge is the joint of Zou et al. 2025.",
 )
 @click.option("--force", is_flag=True, help="Overwrite FILE if it exists.")
 @run_by_name
 def init() -> None:
-    """Write a commented joint file to FILE (joint.toml; '-' prints it): that of Zou et al. 2025, or another drive."""
+    """Write a commented joint file to FILE (joint.toml if not stated; '-' prints it).
+
+    Edit its numbers, then run 'asperity joint FILE'.
+    """
 
 
 @click.command()

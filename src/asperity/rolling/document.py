@@ -48,14 +48,23 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
 
 def no_life_because(result: JointResult) -> str | None:
     """Why a joint that rolls has no rating life; None where it has one, or does not roll."""
-    ratio = np.asarray(result.rolling.shakedown_ratio)
-    beyond = [name for name, pressure in zip(result.contact_names, ratio, strict=True) if pressure >= 1.0]
-    if not beyond:
+    flowing = _named(result, result.rolling.shakedown_ratio)
+    slipping = _named(result, result.rolling.slip_ratio)
+    if slipping:
+        verb = "slips" if len(slipping) == 1 else "slip"
+        return f"no rating life: {', '.join(slipping)} {verb} as a whole; the fatigue law holds for rolling tracks only"
+    if not flowing:
         return None
     return (
-        f"no rating life: at {', '.join(beyond)} the Hertz pressure exceeds the shakedown limit, and the surface flows "
+        f"no rating life: at {', '.join(flowing)} the Hertz pressure exceeds the shakedown limit, and the surface flows "
         "at every passage; the fatigue law holds for elastic tracks only"
     )
+
+
+def _named(result: JointResult, ratios: object) -> list[str]:
+    """The contacts at which a ratio has reached 1."""
+    pairs = zip(result.contact_names, np.asarray(ratios), strict=True)
+    return [name for name, ratio in pairs if ratio >= 1.0]
 
 
 def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:

@@ -179,7 +179,7 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
     oil: FilmState | None = None
     if creep.oiled is not None:
         oil = film_state(creep=creep.oiled, normal_force=normal, creepage=state.creepage, used=slip_ratio)
-    tracks, per_turn, lives = _lives(joint, strips, unit)
+    tracks, per_turn, lives = _lives(joint, strips, unit, slip_ratio)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * xp.pi)
     power = _power(joint, pairs, state, speeds, (friction.axial, creep.skew))
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
@@ -276,11 +276,15 @@ def _speeds_of_unit_input(joint: Joint, state: DriveState) -> RollingSpeeds:
     )
 
 
-def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Array, Array, DriveLives]:
+def _lives(
+    joint: Joint, strips: RollingStrips, unit: RollingSpeeds, slip_ratio: Array
+) -> tuple[Array, Array, DriveLives]:
     """Lives of the tracks in cycles, their cycles in one turn of the output, and lives in turns of the output."""
     bodies, branches = bodies_of_contacts(joint), xp.asarray(joint.drive.sectors)
-    # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
-    tracks = xp.where(strips.shakedown_ratio < 1.0, strips.tracks, xp.nan)
+    # above the shakedown limit the surface flows at every passage, and what slips as a whole wears: no law of elastic
+    # fatigue holds
+    rolls = (strips.shakedown_ratio < 1.0) & (slip_ratio < 1.0)
+    tracks = xp.where(rolls, strips.tracks, xp.nan)
     rates = cycle_rates(bodies=bodies, speeds=unit)
     per_turn = rates * (2.0 * xp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
