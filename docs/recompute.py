@@ -129,17 +129,20 @@ def _value(written: str) -> float:
     return float(re.sub(r"[  ]", "", written).replace("−", "-"))
 
 
-def _last_digit(written: str) -> float:
-    """What one in the last digit of a number is; zeros at the end of a whole number are none."""
+def _last_digit(written: str, *, rounded: bool = True) -> float:
+    """What one in the last digit of a number is; of a rounded whole number zeros at the end are none."""
     mantissa, _, power = re.sub(r"[  ]", "", written).partition("e")
     whole, point, decimals = mantissa.partition(".")
-    zeros = 0 if point else len(whole) - len(whole.rstrip("0"))
+    zeros = len(whole) - len(whole.rstrip("0")) if rounded and not point else 0
     return 10.0 ** (int(power or 0) + (-len(decimals) if point else zeros))
 
 
 def _close(written: str, value: float) -> bool:
     shown = _value(written)
-    return abs(shown - value) < 1.01 * _last_digit(written) or max(abs(shown), abs(value)) < ROUNDING
+    return (
+        abs(shown - value) < 1.01 * _last_digit(written, rounded=False)
+        or max(abs(shown), abs(value)) < ROUNDING
+    )
 
 
 def _make_file(said: str, block: str) -> None:

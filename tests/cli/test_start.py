@@ -99,7 +99,7 @@ def test_commands_are_completed(call, monkeypatch):
 def test_the_default_is_the_type_of_a_file_without_one_and_a_former_name_is_told(call, caplog):
     assert start._DEFAULT == DEFAULT_TYPE
     note_once.cache_clear()
-    assert call("init", "-", "--type", "zou2025").out == call("init", "-").out
+    assert call("init", "-", "--type", "zou2025").out == call("init", "-", "--type", "wedge").out
     assert caplog.messages == ['asperity: note: the type "zou2025" is called "wedge" now']
     refused = call("init", "-", "--type", "wedges")
     assert refused.code == 2

@@ -142,4 +142,4 @@ def standing_words(standing: Document) -> str:
     if kind == "none":
         return "standing, no contact slips at any torque"
     what = {"gross_slip": "gross slip", "lift_off": "lift-off"}.get(kind)
-    return "" if what is None else f"{what} standing at {format_quantity(torque, 'N*m')}"
+    return "" if what is None else f"{what} at {format_quantity(torque, 'N*m')} standing"

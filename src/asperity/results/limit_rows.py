@@ -99,7 +99,7 @@ ROWS = (
         limit=Limit(
             "damage",
             "the bodies stay elastic under the contact",
-            "the Hertz pressure exceeds first yield, 1.67 times the yield strength: the bodies deform plastically",
+            "the Hertz pressure exceeds first yield, 1.67 times the yield strength: the bodies yield",
             "choose a material of higher yield strength, longer contact lines or less preload",
             highest=1.0,
             beyond="beyond first yield",

@@ -56,8 +56,8 @@ def no_life_because(result: JointResult) -> str | None:
     if not flowing:
         return None
     return (
-        f"no rating life: at {', '.join(flowing)} the Hertz pressure exceeds the shakedown limit, and the surface flows "
-        "at every passage; the fatigue law holds for elastic tracks only"
+        f"no rating life: at {', '.join(flowing)} the Hertz pressure exceeds the shakedown limit, and the surface "
+        "flows at every passage; the fatigue law holds for elastic tracks only"
     )
 
 

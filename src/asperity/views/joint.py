@@ -90,7 +90,7 @@ def key_figures(view: SolvedView) -> list[Figure]:
     """Stiffness, drift, capacity, efficiency, life, size and ratio of a joint."""
     document = view.document
     rolling, geometry = document["rolling"], document["geometry"]
-    why_not = "; ".join(rolling["unknown_because"])
+    why_not = "; ".join(_clause(reason) for reason in rolling["unknown_because"])
     lives = [
         f"{number(rolling['life_output_turns'])} output turns",
         f"{number(100.0 * rolling['reliability'])} % reliability",
@@ -103,8 +103,7 @@ def key_figures(view: SolvedView) -> list[Figure]:
             "arcmin",
             why_not
             if document["drift_rad_per_output_turn"] is None
-            else f"{percent(document['speed_loss'])} of the speed: creep, which accumulates with every turn and does "
-            "not come back",
+            else f"{percent(document['speed_loss'])} of the speed: creep, which does not come back",
             document["drift_rad_per_output_turn"],
         ),
         _capacity_figure(document),
@@ -121,7 +120,7 @@ def key_figures(view: SolvedView) -> list[Figure]:
             "Life",
             number(document["life_hours"]),
             "h",
-            rolling["no_life_because"]
+            (rolling["no_life_because"] or "").partition(", and ")[0].partition(";")[0]
             or (why_not if rolling["life_output_turns"] is None else ", ".join(lives)),
             None if document["life_hours"] is None else 3600.0 * document["life_hours"],
         ),
@@ -145,12 +144,12 @@ def key_figures(view: SolvedView) -> list[Figure]:
 
 def _stiffness_figure(document: Document) -> Figure:
     stiffness = document["torsional_stiffness"]["assembly"]
-    said = bounded(f"assembled, {input_member(document)} locked", document["stiffness_bound"])
+    said = bounded("assembled", document["stiffness_bound"])
     return Figure(
         "Stiffness at the output",
         number(stiffness["output_Nm_per_arcmin"]),
         "N·m/arcmin",
-        document["stiffness_unknown_because"] or f"{said}; {number(stiffness['output_Nm_per_rad'])} N·m/rad",
+        document["stiffness_unknown_because"] or f"{number(stiffness['output_Nm_per_rad'])} N·m/rad, {said}",
         stiffness["output_Nm_per_rad"],
     )
 
@@ -163,8 +162,7 @@ def _capacity_figure(document: Document) -> Figure:
     )
     torque = capacity["output_torque_Nm"]
     same = torque is not None and torque == standing["output_torque_Nm"]
-    load_words = f"load {quantity(document['standing']['forces']['output_torque_Nm'], 'N*m')}"
-    parts = [capacity["meaning"], "" if same else standing_words(standing), load_words]
+    parts = [capacity["meaning"], "" if same else standing_words(standing)]
     return Figure("Torque capacity", number(torque), "N·m", "; ".join(filter(None, parts)), torque)
 
 
@@ -299,13 +297,20 @@ def assumptions(document: Document, *, brief: str = "") -> list[Block]:
 
 
 def assumed(document: Document, *, in_full: bool = True) -> Bullets:
-    """What is assumed: in full, or by name what the file leaves out and in full what is not so in every joint."""
+    """What is assumed: in full, or by name what the file leaves out, and in a clause what is not so in every joint."""
     told = document["assumptions"]
     left_out = [] if in_full else [text for text in told if text.startswith("no ")]
     names = ", ".join(text.partition(":")[0].removeprefix("no ") for text in left_out)
     first = [f"not in the file: {names}"] if names else []
-    rest = [text for text in told if in_full or not (text in left_out or text.startswith(OF_EVERY_JOINT))]
-    return Bullets([*first, *rest])
+    if in_full:
+        return Bullets([*first, *told])
+    rest = [text for text in told if not (text in left_out or text.startswith(OF_EVERY_JOINT))]
+    return Bullets([*first, *(_clause(text) for text in rest)])
+
+
+def _clause(text: str) -> str:
+    """What is said up to the first semicolon or full stop."""
+    return text.partition(";")[0].partition(". ")[0]
 
 
 def surfaces(document: Document) -> list[Table]:

@@ -21,6 +21,16 @@ ABOUT = {
     "model": "Contact law",
 }
 _NOT_CHECKED = "Not checked"
+#: What a limit concerns, by its severity.
+CONCERNS = {
+    "function": "function",
+    "damage": "strength",
+    "accuracy": "range of the model",
+    "state": "state",
+    "model": "range of the contact law",
+}
+#: Outcome of a limit that concerns the level of the asperities alone, by which no joint fails.
+_OUTSIDE = "out of range"
 
 
 def warnings(document: Document) -> Block:
@@ -63,19 +73,19 @@ def margins(judged: Sequence[Margin]) -> Iterator[Block]:
     """Required and actual values; residuals of the equations are no margins."""
     yield Paragraph(
         "Each requirement at its worst contact or clearance: first those that fail, most serious first, then those "
-        "that are not known, then states of the joint with a consequence, then all others, tightest first. A "
-        "requirement of the model that fails means that the published contact law is outside its range, not that the "
-        "joint fails."
+        "that are not known, then states of the joint with a consequence, then all others, tightest first. Out of "
+        "range is the contact law of the asperities: it concerns the stiffness of the asperities alone, and no joint "
+        "fails by it."
     )
     shown = sorted((margin for margin in judged if margin.result.group != "residuals"), key=_rank)
     rows = [
         (
             margin.label,
-            margin.severity,
+            CONCERNS[margin.severity],
             words(margin.place),
             "–" if margin.state else _bounds(margin),
             quantity(margin.actual, margin.result.display_unit),
-            margin.outcome,
+            _OUTSIDE if _beside(margin) else margin.outcome,
         )
         for margin in shown
     ]
@@ -99,8 +109,13 @@ def _bounds(margin: Margin) -> str:
 
 def _rank(margin: Margin) -> tuple[int, float]:
     """Key to sort margins: not met, not known, states, then by the share of their limit."""
-    if margin.state:
+    if margin.state or _beside(margin):
         return 2, 0.0
     if not margin.passes:
         return int(not margin.known), 0.0
     return 3, math.inf if math.isnan(margin.utilisation) else -margin.utilisation
+
+
+def _beside(margin: Margin) -> bool:
+    """Whether this is a range of the contact law that is left: no limit of the joint."""
+    return margin.severity == "model" and margin.failed

@@ -38,7 +38,7 @@ def opening(view: SolvedView, source: str) -> Iterator[Block]:
 def joint_screen(view: SolvedView, source: str, *, in_full: bool = True) -> Iterator[Block]:
     """The joint that stands under its torque; in brief without shares, springs and the drive."""
     yield from opening(view, source)
-    yield from stiffness(view)
+    yield from stiffness(view, in_full=in_full)
     if in_full:
         yield from budget(view.document)
         yield from contacts(view)

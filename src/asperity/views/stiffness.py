@@ -18,9 +18,9 @@ _NAMED = 5e-4
 
 #: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
 LEVEL_WORDS = (
-    ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
-    ("series_with_bulk", "asperities and bodies in series, roller centres fixed"),
-    ("published", "asperities alone, the level of Zou et al. 2025: an upper bound"),
+    ("assembly", "assembled: all springs, rollers free"),
+    ("series_with_bulk", "bodies in series: asperities and bodies, centres fixed"),
+    ("published", "asperities alone, as published by Zou et al. 2025: an upper bound"),
 )
 _LEVEL_HEAD = ("level of the model", "output\nN·m/arcmin", "output\nN·m/rad")
 _SPRINGS = {
@@ -35,8 +35,8 @@ _SPRINGS = {
 }
 
 
-def stiffness(view: SolvedView) -> Iterator[Block]:
-    """Stiffness on every level, with what bounds it, beside the drift of a joint that turns."""
+def stiffness(view: SolvedView, *, in_full: bool = True) -> Iterator[Block]:
+    """Stiffness on every level, with what bounds it; in full also beside the drift of a joint that turns."""
     document = view.document
     keys = ("output_Nm_per_arcmin", "output_Nm_per_rad", "input_Nm_per_rad")
     yield Table(
@@ -48,9 +48,10 @@ def stiffness(view: SolvedView) -> Iterator[Block]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
     if "pin_clearance_interval" in document:
         yield Paragraph(sentence(document["pin_clearance_interval"]["words"]))
-    if said := law_range_words(document):
+    if said := law_range_words(document, brief=not in_full):
         yield Paragraph(sentence(said))
-    yield _drift(document)
+    if in_full:
+        yield _drift(document)
     yield from _laws(document)
     yield from _interval(document)
 
@@ -82,7 +83,7 @@ def level_words(document: Document) -> list[tuple[str, str]]:
     return [(fullest, bounded(said, document["stiffness_bound"])), *others]
 
 
-def law_range_words(document: Document) -> str:
+def law_range_words(document: Document, *, brief: bool = False) -> str:
     """Where the published contact law is outside its range, which concerns the level of the asperities alone; or ""."""
     known = (
         [entry for entry in entries if entry["known"]] for entries in crossed_limits(document, model=True)
@@ -92,7 +93,8 @@ def law_range_words(document: Document) -> str:
         return ""
     parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
     remedies = [entry["remedy"] for entries in crossed for entry in entries if entry["remedy"]]
-    return "; ".join([f"asperities alone: outside the range of this law, {parts}", *remedies[:1]])
+    advice = [remedy.partition(";")[0] if brief else remedy for remedy in remedies[:1]]
+    return "; ".join([f"asperities alone: outside the range of this law, {parts}", *advice])
 
 
 def _largest(entries: list[Document]) -> str:
