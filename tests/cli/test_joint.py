@@ -3,11 +3,14 @@
 import dataclasses
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"]
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture
@@ -204,3 +207,23 @@ def test_picture_of_budget_levels_and_margins(call, joint_file, tmp_path):
     assert (tmp_path / "j.svg").read_text(encoding="utf-8").startswith("<?xml")
     refused = call("joint", joint_file(), "--plot", tmp_path / "j.xyz")
     assert (refused.code, refused.out) == (2, "")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "planetary",
+        "planetary_hollow",
+        "multiroller",
+        "stepped_planet",
+        "planar",
+        "wheel_pair",
+        "tutorial_joint",
+        "zou2025",
+    ],
+)
+def test_what_is_asked_first_fits_on_a_screen_or_two(call, name):
+    """The file with the most contacts and warnings, that of the paper, fills 60 lines."""
+    printed = call("joint", EXAMPLES / f"{name}.toml").out.splitlines()
+    assert len(printed) <= 60
+    assert max(map(len, printed)) <= 100

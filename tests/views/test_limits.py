@@ -41,7 +41,7 @@ def test_required_actual_and_result_of_each_margin():
 
 
 def test_what_is_not_met_stands_first_and_then_the_fullest():
-    """Shares of their limits: a 0.2, c 0.9, f -5 (no share is too small), g none."""
+    """Shares of their limits: a 0.2, c 0.9, f -5 (no share is too small), g none; d is no limit of the joint."""
     found = (
         margin("a", "", 0.2, highest=1.0),
         margin("g", "", 1.5, lowest=1.0, highest=2.0),
@@ -52,8 +52,8 @@ def test_what_is_not_met_stands_first_and_then_the_fullest():
         margin("e", "", math.nan, highest=1.0, passes=False),
     )
     _, table = margins(found)
-    assert [row[0][-1] for row in table.rows] == ["b", "d", "e", "c", "a", "f", "g"]
-    assert [row[-1] for row in table.rows] == ["FAIL", "FAIL", "unknown", *["pass"] * 4]
+    assert [row[0][-1] for row in table.rows] == ["b", "e", "d", "c", "a", "f", "g"]
+    assert [row[-1] for row in table.rows] == ["FAIL", "unknown", "out of range", *["pass"] * 4]
     shares = dict(zip((row[0][-1] for row in table.rows), table.shares, strict=True))
     assert (shares["a"], shares["c"], shares["e"]) == (pytest.approx(0.2), pytest.approx(0.9), None)
 
