@@ -120,7 +120,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file, options):
         "angle alpha between planet and loading roller 13.92 deg",
         "direction theta from planet to loading roller 27.08 deg",
         "wedge angle beta 13.16 deg",
-        "K_t asperities",
+        "Contact stiffness",
         "Compliance of the assembled joint, by spring",
     )
     told = " ".join(outcome.out.split())

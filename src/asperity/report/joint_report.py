@@ -43,7 +43,7 @@ from asperity.views.limits import margins as margins_shown
 from asperity.views.limits import warnings
 from asperity.views.loads import loads, rims
 from asperity.views.numbers import quantity
-from asperity.views.rolling import rolling
+from asperity.views.rolling import rolling, smallest_film
 from asperity.views.solved_view import SolvedView
 from asperity.views.stiffness import budget, stiffness
 from asperity.views.window import window_summary
@@ -98,12 +98,12 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Summary"),
         load(view),
         verdict(document),
-        Figures(key_figures(view)),
-        Heading("Inputs"),
-        inputs_table(source.case),
-        choices_table(source.case),
-        *assumptions(document),
-        *_drawing(pictures),
+        Figures([*key_figures(view), *smallest_film(document)]),
+        Heading("Warnings"),
+        warnings(document),
+        Heading("Safety margins"),
+        *margins_shown(margins(solved)),
+        Picture("Used share of each limit", pictures["margins"]),
         Heading("Stiffness"),
         *stiffness(view),
         *surfaces(document),
@@ -111,16 +111,16 @@ def joint_report(source: ReportSource) -> Report:
         *_picture(pictures, "budget", "Stiffness budget and levels of the model"),
         Heading("Forces and contacts"),
         *contacts(view),
+        *_picture(
+            pictures,
+            "forces",
+            "Forces on the bodies drawn apart, at standstill, centrifugal forces not drawn",
+        ),
         drive(view),
         *rims(document),
         *_branches(document),
         Heading("Loads of the structure"),
         *loads(loads_document(solved, document["bearings"])),
-        Heading("Safety margins"),
-        *margins_shown(margins(solved)),
-        Picture("Used share of each limit", pictures["margins"]),
-        Heading("Warnings"),
-        warnings(document),
         Heading("Window of the torque"),
         *window_summary(window_document(allowed)),
         Picture("Torques that the joint may pass", pictures["window"]),
@@ -130,6 +130,11 @@ def joint_report(source: ReportSource) -> Report:
         *rolling(view),
         *_picture(pictures, "rolling", "Creep, efficiency, drift and life"),
         *study_sections(source.studies),
+        Heading("Inputs"),
+        inputs_table(source.case),
+        choices_table(source.case),
+        *assumptions(document),
+        *_drawing(pictures),
         Heading("Versions"),
         _versions(),
         *_appendix(source),
@@ -172,7 +177,6 @@ def _drawing(pictures: dict[str, str]) -> Iterator[Block]:
         "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
     )
     yield Picture("The drive to scale", pictures["drive"], sheet=True)
-    yield from _picture(pictures, "forces", "Forces on the bodies drawn apart, centrifugal forces not drawn")
 
 
 def _title_block(source: ReportSource) -> Iterator[Block]:
@@ -227,7 +231,7 @@ def _appendix(source: ReportSource) -> Iterator[Block]:
 def _versions() -> Table:
     rows = [("asperity", asperity.__version__), ("Python", platform.python_version())]
     rows += [(name, version(name)) for name in _PACKAGES]
-    rows.append(("machine", f"{platform.system()} {platform.machine()}"))
+    rows.append(("machine", f"{platform.system()} {platform.machine().replace('_', '-')}"))
     return Table("Programs with which the numbers were computed", ("program", "version"), rows, words=(0, 1))
 
 

@@ -33,7 +33,7 @@ from asperity.writing import if_abandoned
 _LONGEST_LINE = 128  # letters of a listing
 _COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
 _SHORT = 30  # letters of words that a column does not break
-_LONGEST_UNBROKEN = 25  # rows of a table that is kept on one page
+_LONGEST_UNBROKEN = 14  # rows of a table that is kept on one page
 _HEAD = """\
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")
 #set text(font: "DejaVu Sans", size: 9pt, lang: "en", hyphenate: false)
@@ -58,31 +58,32 @@ def typst_source(report: Report, *, pictures: list[str]) -> str:
 
 
 def _parts(blocks: Sequence[Block], names: Iterator[str]) -> Iterator[str]:
-    """Every block; a heading and the sentences below it stay with what follows them, pictures stay near them."""
+    """Every block; a heading and the sentences below it stay with what follows them.
+
+    Sheets of paper come last, so that no page before one stays half empty; other pictures go where they find room.
+    """
     opening: list[Heading | Paragraph] = []
-    floating = above = False  # whether a picture of this section, and one of the section above it, may float
+    sheets: list[str] = []
     for block in blocks:
         if isinstance(block, Paragraph) and opening:
             opening.append(block)
             continue
         if isinstance(block, Picture) and block.sheet:
-            yield _sheet(block, opening, next(names))
+            sheets.append(_sheet(block, opening, next(names)))
         elif isinstance(block, Heading):
             yield from (_block(part) for part in opening)
-            if above:
-                yield "#place.flush()"
-            opening, floating, above = [block], False, floating
+            opening = [block]
             continue
         else:
             yield from (f"#block(sticky: true)[{_block(part)}]" for part in opening)
-            if isinstance(block, Picture):
-                floats = not opening
-                floating = floating or floats
-                yield _picture(block, next(names), floats=floats)
-            else:
-                yield _block(block)
+            yield (
+                _picture(block, next(names), floats=not opening)
+                if isinstance(block, Picture)
+                else _block(block)
+            )
         opening = []
     yield from (_block(part) for part in opening)
+    yield from sheets
 
 
 def literal(text: str) -> str:

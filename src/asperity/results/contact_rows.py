@@ -133,7 +133,7 @@ ROWS = (
         "interfaces.asperity_tangential",
         _STIFFNESS,
         "N/um",
-        column=Column("stiffness", "K_t asperities"),
+        column=Column("stiffness", "tangential, asperities"),
     ),
     _elastic(
         "asperity_normal_stiffness",
@@ -141,19 +141,19 @@ ROWS = (
         "interfaces.asperity_normal",
         _STIFFNESS,
         "N/um",
-        column=Column("stiffness", "K_n asperities"),
+        column=Column("stiffness", "normal, asperities"),
     ),
     _bulk(
         "bulk_tangential_stiffness",
         "tangential stiffness of the contact's bodies",
         value="result.interfaces.bulk_tangential",
-        column=Column("stiffness", "K_t bodies"),
+        column=Column("stiffness", "tangential, bodies"),
     ),
     _bulk(
         "bulk_normal_stiffness",
         "normal stiffness of the contact's bodies",
         value="result.interfaces.bulk_normal",
-        column=Column("stiffness", "K_n bodies"),
+        column=Column("stiffness", "normal, bodies"),
     ),
     _elastic(
         "contact_torsional_stiffness",
@@ -162,7 +162,7 @@ ROWS = (
         Dimension.TORSIONAL_STIFFNESS,
         "N*m/rad",
         note="at the contact's driven roller",
-        column=Column("stiffness", "own K_T, asperities"),
+        column=Column("stiffness", "torsional, asperities"),
     ),
     _contact(
         "hertz_half_width",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from asperity.results.notes import surface_rows
 from asperity.rolling.document import rating_life_name
 from asperity.types import Document
-from asperity.views.blocks import Block, Bullets, Paragraph, Table
+from asperity.views.blocks import Block, Bullets, Figure, Paragraph, Table
 from asperity.views.joint import input_member
 from asperity.views.numbers import number, percent, quantity, sentence, words
 from asperity.views.position import position_rows
@@ -88,6 +88,17 @@ def films(document: Document) -> Iterator[Table]:
     head = ("contact", "flash temperature\nK", "smallest oil film\nµm", "film ratio λ\n-", "lubrication")
     if rows:
         yield Table("Surfaces in rolling", head, rows, words=(0, 4))
+
+
+def smallest_film(document: Document) -> list[Figure]:
+    """The smallest film ratio of the contacts and who carries the load there; none where no film is known."""
+    known = [row for row in surface_rows(document["rolling"]["contacts"]) if row[3] is not None]
+    if not known:
+        return []
+    name, _, _, ratio, band = min(known, key=lambda row: float(row[3] or 0.0))
+    return [
+        Figure("Film ratio λ, smallest", number(ratio), "", f"{band} lubrication, at {words(name)}", ratio)
+    ]
 
 
 def _thrust(document: Document) -> Iterator[Block]:

@@ -160,10 +160,10 @@ def _interval(document: Document) -> Iterator[Block]:
 
 _INTERVAL_HEADS = (
     "contact",
-    "K_n, both\nN/µm",
-    "K_n, law alone\nN/µm",
-    "K_n, heights alone\nN/µm",
-    "K_t, both\nN/µm",
+    "normal, both\nN/µm",
+    "normal, law alone\nN/µm",
+    "normal, heights alone\nN/µm",
+    "tangential, both\nN/µm",
 )
 
 
