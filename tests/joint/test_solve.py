@@ -329,3 +329,21 @@ def test_a_torque_and_a_capacity_that_look_alike_get_more_digits(paper_joint):
     )
     assert torque > told
     assert told == pytest.approx(capacity, rel=1e-6)
+
+
+def test_without_a_torque_nothing_is_left_of_what_balances(paper_joint):
+    """Statics without torque: no contact passes a tangential force, and what nothing drives does not creep."""
+    solved = solve_joint(paper_joint(output_torque=0.0))
+    forces, rolling = solved.result.forces, solved.result.rolling
+    for nothing in (forces.tangential, forces.input_torque, rolling.creepage, rolling.drift_per_output_turn):
+        assert not np.any(nothing)
+    assert np.all(forces.normal > 500.0)
+    # 1000 N at the sun and the wedge: the pins bear what the planet pushes outwards
+    assert np.all(np.abs(forces.pins) > 100.0)
+
+
+def test_a_force_is_rounding_only_below_the_last_digits_of_those_that_it_balances(paper_joint):
+    """A thousandth of a millionth of the torque still makes its tangential forces, in proportion."""
+    torques = np.array([1e-9, 1.0])
+    small, one = (solve_joint(paper_joint(output_torque=float(torque))).result.forces for torque in torques)
+    np.testing.assert_allclose(small.tangential[0] / 1e-9, one.tangential[0], rtol=1e-3)

@@ -13,7 +13,7 @@ from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.engine import trees
-from asperity.engine.arrays import as_numbers
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once
 from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
@@ -27,10 +27,13 @@ from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
-from asperity.types import Document
+from asperity.types import Array, Document
 from asperity.units import format_apart, format_quantity
 
 _TRIES = 12  # of a preload that carries a torque
+_UNITS = (
+    64.0 * np.finfo(float).eps
+)  # of the last place, that rounding moves in a balance of a few dozen forces
 _SETTLINGS = 4  # of the forces around which the laws of unlike sectors are taken
 
 
@@ -92,7 +95,33 @@ def _states(joint: Joint) -> tuple[JointMachine, Pressed, DriveStates]:
     """The machine that a joint is, assembled, and its states under its torque."""
     machine: JointMachine = at_once(joint_machine, joint)
     without_torque: Pressed = at_once(assembled, machine)
-    return machine, without_torque, at_once(states_under_torque, machine, without_torque)
+    states: DriveStates = at_once(states_under_torque, machine, without_torque)
+    reach = float(np.max(np.abs(machine.contacts.pairs.radius_1)))
+    pressed = None if states.pressed is None else without_rounding(states.pressed, reach)
+    rest, standing, rolling = (without_rounding(state, reach) for state in states[:3])
+    return machine, without_torque, DriveStates(rest, standing, rolling, pressed)
+
+
+def without_rounding(state: DriveState, reach: float) -> DriveState:
+    """A state of one drive in which what only rounding has left of 0 is 0.
+
+    Forces are balanced with the largest normal force, torques with that force at the ``reach`` of the tracks [m]:
+    below 64 units in its last place they are the rounding of the balance. Creepages and the loss of speed are
+    differences of speeds over these speeds, and rounding below as many units in the last place of 1.
+    """
+    force = _UNITS * float(np.max(np.abs(state.normal)))
+    return dataclasses.replace(
+        state,
+        **{name: _above(getattr(state, name), force) for name in ("tangential", "pin_force")},
+        **{name: _above(getattr(state, name), _UNITS) for name in ("creepage", "speed_loss")},
+        input_torque=_above(state.input_torque, force * reach),
+    )
+
+
+def _above(values: Array, rounding: float) -> Array:
+    """The values, those of the size of rounding as 0."""
+    numbers = np.asarray(values)
+    return xp.where(np.abs(numbers) <= rounding, 0.0, numbers)
 
 
 def solve_joint(joint: Joint) -> Solution:

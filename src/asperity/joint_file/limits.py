@@ -30,7 +30,10 @@ ROLLER_RADIUS = key_of(sizes.RADIUS)
 WALL_THICKNESS = key_of(sizes.WALL_THICKNESS)
 CONTACT_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="5 mm")
 BODY_LENGTH = key_of(sizes.BODY_LENGTH)
-RATIO = Key(Dimension.DIMENSIONLESS, 0.0, 1e6, open_lower=True, exact=True, example="11")
+RATIO = Key(
+    Dimension.DIMENSIONLESS, 0.0, 1e6, open_lower=True, exact=True, example="11",
+    reason="write it without its sign, which follows from the type of drive",
+)  # fmt: skip
 PUSH_ANGLE = key_of(sizes.PUSH_ANGLE)
 POLAR_ANGLE = Key(Dimension.ANGLE, -360.0, 360.0, "deg", example="90 deg")
 
