@@ -52,8 +52,8 @@ def test_what_is_not_met_stands_first_and_then_the_fullest():
         margin("e", "", math.nan, highest=1.0, passes=False),
     )
     _, table = margins(found)
-    assert [row[0][-1] for row in table.rows] == ["b", "e", "d", "c", "a", "f", "g"]
-    assert [row[-1] for row in table.rows] == ["FAIL", "unknown", "out of range", *["pass"] * 4]
+    assert [row[0][-1] for row in table.rows] == ["b", "e", "c", "a", "f", "g", "d"]
+    assert [row[-1] for row in table.rows] == ["FAIL", "unknown", *["pass"] * 4, "out of range"]
     shares = dict(zip((row[0][-1] for row in table.rows), table.shares, strict=True))
     assert (shares["a"], shares["c"], shares["e"]) == (pytest.approx(0.2), pytest.approx(0.9), None)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from asperity.errors import printable
 from asperity.extras import optional_module
@@ -202,6 +202,18 @@ def require_typst() -> types.ModuleType:
 
 def report_pdf(report: Report) -> bytes:
     """A report as PDF, the same for the same report, without fonts of the system or the network; needs typst."""
+    made: bytes = _set(report, format="pdf")
+    return made
+
+
+def report_pages(report: Report, *, points_per_inch: float) -> list[bytes]:
+    """The pages of this PDF as PNG pictures, for screens; needs typst."""
+    pages: bytes | list[bytes] = _set(report, format="png", ppi=points_per_inch)
+    return [pages] if isinstance(pages, bytes) else pages
+
+
+def _set(report: Report, **options: object) -> Any:
+    """What typst makes of a report."""
     import matplotlib
 
     typst = require_typst()
@@ -213,11 +225,10 @@ def report_pdf(report: Report) -> bytes:
             Path(folder, name).write_text(svg, encoding="utf-8")
         source = Path(folder, "report.typ")
         source.write_text(typst_source(report, pictures=names), encoding="utf-8")
-        made: bytes = typst.compile(
+        return typst.compile(
             str(source),
             root=folder,
-            format="pdf",
             font_paths=[str(Path(matplotlib.get_data_path(), "fonts", "ttf"))],
             ignore_system_fonts=True,
+            **options,
         )
-    return made

@@ -73,9 +73,9 @@ def margins(judged: Sequence[Margin]) -> Iterator[Block]:
     """Required and actual values; residuals of the equations are no margins."""
     yield Paragraph(
         "Each requirement at its worst contact or clearance: first those that fail, most serious first, then those "
-        "that are not known, then states of the joint with a consequence, then all others, tightest first. Out of "
-        "range is the contact law of the asperities: it concerns the stiffness of the asperities alone, and no joint "
-        "fails by it."
+        "that are not known, then states of the joint with a consequence, then all others, tightest first. At the end "
+        "stands where the contact law is out of range; it concerns the stiffness of the asperities alone, and no "
+        "joint fails by it."
     )
     shown = sorted((margin for margin in judged if margin.result.group != "residuals"), key=_rank)
     rows = [
@@ -108,8 +108,10 @@ def _bounds(margin: Margin) -> str:
 
 
 def _rank(margin: Margin) -> tuple[int, float]:
-    """Key to sort margins: not met, not known, states, then by the share of their limit."""
-    if margin.state or _beside(margin):
+    """Key to sort margins: not met, not known, states, then by the share of their limit; what fails no joint last."""
+    if _beside(margin):
+        return 4, 0.0
+    if margin.state:
         return 2, 0.0
     if not margin.passes:
         return int(not margin.known), 0.0
