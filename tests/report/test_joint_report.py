@@ -38,7 +38,8 @@ def tables(report):
 def test_sections_in_the_order_of_a_review(made):
     assert made.sections == (
         "Summary", "Warnings", "Safety margins", "Stiffness", "Forces and contacts", "Loads of the structure",
-        "Window of the torque", "Wind-up", "The joint in rolling", "Inputs", "Assumptions", "Drawing", "Versions", "Joint file",
+        "Window of the torque", "Wind-up", "The joint in rolling", "Inputs", "Assumptions", "Drawing", "Versions",
+        "Joint file",
     )  # fmt: skip
     assert len([block for block in made.blocks if isinstance(block, Picture)]) == 7
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
@@ -118,7 +119,8 @@ def test_a_drive_of_another_type_has_all_sections():
     report = joint_report(ReportSource(file.name, text, case))
     assert report.sections == (
         "Summary", "Warnings", "Safety margins", "Stiffness", "Forces and contacts", "Loads of the structure",
-        "Window of the torque", "Wind-up", "The joint in rolling", "Inputs", "Assumptions", "Drawing", "Versions", "Joint file",
+        "Window of the torque", "Wind-up", "The joint in rolling", "Inputs", "Assumptions", "Drawing", "Versions",
+        "Joint file",
     )  # fmt: skip
     found = tables(report)
     assert len(found["Numbers of the joint file"].rows) > 20
