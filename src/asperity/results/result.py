@@ -88,12 +88,13 @@ class Limit:
 class Column:
     """Where a result of the contacts is shown: in which table, under which head, in which unit.
 
-    ``table``: ``forces``, ``crowns`` and ``stiffness`` of the contacts that stand, or ``rolling``; a column without any
-    number is left out. ``unit``: that of the column, empty for the unit of the result; ``factor``: times what the
-    result is shown, 2 for a width by its half; ``unit_shown``: how the unit is written where a factor stands in it.
+    ``table``: ``forces``, ``crowns`` and ``stiffness`` of the contacts that stand, ``rolling`` or ``film``; a column
+    without any number is left out. ``unit``: that of the column, empty for the unit of the result; ``factor``: times
+    what the result is shown, 2 for a width by its half; ``unit_shown``: how the unit is written where a factor stands
+    in it.
     """
 
-    table: Literal["forces", "crowns", "stiffness", "rolling"]
+    table: Literal["forces", "crowns", "stiffness", "rolling", "film"]
     head: str
     unit: str = ""
     factor: float = 1.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from typing import Any
 
 from asperity.engine.arrays import xp
@@ -27,6 +28,18 @@ def _crown_factor(solved: SolvedJoint) -> Any:
     return xp.full_like(rolling.normal, xp.nan) if factor is None else factor
 
 
+def _of_film(name: str) -> Callable[[SolvedJoint], Any]:
+    """A number of the film in the contacts, nan for a joint without an oil whose traction is known."""
+
+    def value(solved: SolvedJoint) -> Any:
+        rolling = solved.result.rolling
+        return xp.full_like(rolling.normal, xp.nan) if rolling.film is None else getattr(rolling.film, name)
+
+    return value
+
+
+_NO_FILM = "nan without an oil whose traction is known"
+
 ROWS = (
     _contact_ratio(
         "creepage",
@@ -47,7 +60,8 @@ ROWS = (
         "rolling_slip_ratio",
         "slip ratio T/(mu N) in rolling",
         value="result.rolling.slip_ratio",
-        note="friction used by skew is not counted as available",
+        note="friction used by skew is not counted as available; with an oil whose traction is known, over what its "
+        "film and the asperities bear",
         column=Column("rolling", "slip T/(mu N)"),
         place="rolling.contacts.*.slip_ratio",
     ),
@@ -243,6 +257,59 @@ ROWS = (
         value="result.rolling.film_ratio",
         note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
         f"Ra of every surface; {_STANDING}",
+    ),
+    _per_contact(
+        "central_film",
+        "central thickness of the oil film beside the asperities",
+        Dimension.LENGTH,
+        "um",
+        _of_film("central_film"),
+        note=f"of the film that carries its share; {_NO_FILM}; {_STANDING}",
+        column=Column("film", "central film"),
+    ),
+    _contact_ratio(
+        "asperity_share",
+        "share of the load that the asperities carry",
+        value=_of_film("asperity_share"),
+        note=f"uncertain by a factor of 1.6 in both directions; {_NO_FILM}; {_STANDING}",
+        column=Column("film", "asperities carry"),
+    ),
+    _contact_ratio(
+        "rival_asperity_share",
+        "share that the asperities carry by the other law",
+        value=_of_film("rival_share"),
+        note=f"1 - erf of the film over the roughness, or the balance of film and separation; {_NO_FILM}; {_STANDING}",
+        column=Column("film", "by the other law"),
+    ),
+    _contact_ratio(
+        "traction_capacity",
+        "largest traction coefficient of the contact in rolling",
+        value=_of_film("traction_capacity"),
+        note=f"up to lubrication.creep_limit, film and asperities together; {_NO_FILM}; {_STANDING}",
+        column=Column("film", "largest T/N"),
+    ),
+    _contact_ratio(
+        "film_creepage_factor",
+        "creepage with film and asperities as elastic layers over that of the bodies",
+        value=_of_film("elastic_factor"),
+        note=f"{_NO_FILM}; {_STANDING}",
+        column=Column("film", "elastic layers"),
+    ),
+    _per_contact(
+        "film_warming",
+        "warming of the oil film by slip",
+        Dimension.TEMPERATURE_RISE,
+        "K",
+        _of_film("film_warming"),
+        note=f"mean over the width, above the oil's temperature; {_NO_FILM}; {_STANDING}",
+        column=Column("film", "film warms"),
+    ),
+    _contact_ratio(
+        "deborah_number",
+        "Deborah number of the oil film",
+        value=_of_film("deborah_number"),
+        note=f"above 1 the film is elastic before it flows; {_NO_FILM}, of a data sheet or a curve; {_STANDING}",
+        column=Column("film", "Deborah"),
     ),
     _ratio(
         "efficiency",

@@ -33,6 +33,7 @@ def rolling(view: SolvedView) -> Iterator[Block]:
     yield from view.contact_table("rolling", "Contacts in rolling")
     yield from _sliding(document)
     yield from films(document)
+    yield from view.contact_table("film", "Oil film and asperities")
     yield from _thrust(document)
     yield from _life(view)
 

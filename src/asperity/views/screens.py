@@ -79,6 +79,7 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
             *contacts(view),
             *view.contact_table("rolling", "Contacts in rolling"),
             *films(document),
+            *view.contact_table("film", "Oil film and asperities"),
             *surfaces(document),
             *unequal,
         ],
