@@ -20,6 +20,7 @@ from traction_contacts import (
 
 from asperity.contact import carter, skew
 from asperity.contact.creep_law import (
+    Capacity,
     creepage_at_traction,
     elastic_layers_factor,
     traction_at_creepage,
@@ -29,144 +30,7 @@ from asperity.contact.film_traction import BoundaryFriction, even_slip
 from asperity.contact.fluid import DataSheetTraction, Fluid, LimitingTraction, RheologicalTraction, film_slope
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
 from asperity.engine.derivatives import value_and_slope
-
-CREEPAGES = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
-#: oil, °C, m/s, heights [µm]; film without asperities [µm], share, film [µm], factor of layers, T/N at the creepages,
-#: capacity over the load. Friction of asperities 0.12, G 0.5 GPa; by a prototype that shares no code with this one.
-TABLE = [
-    (
-        "M100",
-        25,
-        1.0,
-        0.1,
-        0.8122,
-        0.0,
-        0.8122,
-        2.1791,
-        (0.00417, 0.01157, 0.02878, 0.03840, 0.04270),
-        0.04409,
-    ),
-    (
-        "M100",
-        40,
-        1.0,
-        0.1,
-        0.4312,
-        5e-5,
-        0.4312,
-        1.6252,
-        (0.00456, 0.01203, 0.02414, 0.03262, 0.03909),
-        0.04164,
-    ),
-    (
-        "M100",
-        60,
-        1.0,
-        0.1,
-        0.2197,
-        0.00406,
-        0.2198,
-        1.3036,
-        (0.00317, 0.00761, 0.01526, 0.02311, 0.03167),
-        0.03612,
-    ),
-    (
-        "M100",
-        60,
-        0.05,
-        0.1,
-        0.0273,
-        0.4428,
-        0.0304,
-        1.0317,
-        (0.01003, 0.02693, 0.05318, 0.05360, 0.05479),
-        0.05627,
-    ),
-    (
-        "M100",
-        60,
-        0.005,
-        0.1,
-        0.0055,
-        0.94691,
-        0.0166,
-        1.0235,
-        (0.01039, 0.02967, 0.08148, 0.11363, 0.11363),
-        0.11363,
-    ),
-    (
-        "M100",
-        100,
-        0.05,
-        0.1,
-        0.0105,
-        0.83392,
-        0.0185,
-        1.0240,
-        (0.01035, 0.02936, 0.07808, 0.10007, 0.10007),
-        0.10008,
-    ),
-    (
-        "N100",
-        40,
-        1.0,
-        0.1,
-        0.4886,
-        1e-5,
-        0.4886,
-        1.7090,
-        (0.00604, 0.01687, 0.04220, 0.05010, 0.05126),
-        0.05168,
-    ),
-    (
-        "PAO100",
-        40,
-        1.0,
-        0.1,
-        0.3729,
-        0.00017,
-        0.3729,
-        1.5394,
-        (0.00040, 0.00115, 0.00352, 0.00806, 0.01513),
-        0.01970,
-    ),
-    (
-        "S50",
-        40,
-        1.0,
-        0.1,
-        0.2866,
-        0.001,
-        0.2866,
-        1.4092,
-        (0.00746, 0.02183, 0.06235, 0.10418, 0.10562),
-        0.10584,
-    ),
-    (
-        "S50",
-        80,
-        3.0,
-        0.2,
-        0.1876,
-        0.12524,
-        0.1901,
-        1.1713,
-        (0.00813, 0.02318, 0.06389, 0.09372, 0.10053),
-        0.10274,
-    ),
-    (
-        "S50",
-        40,
-        0.05,
-        0.2,
-        0.0351,
-        0.90719,
-        0.0597,
-        1.0490,
-        (0.01013, 0.02891, 0.07905, 0.10886, 0.10887),
-        0.10887,
-    ),
-]
+from asperity.validation.oiled_rollers import CREEPAGES, known_contacts
 
 
 def traction(oiled, creepage):
@@ -182,20 +46,20 @@ def capacity(oiled):
 
 
 @pytest.mark.parametrize(
-    ("oil", "celsius", "speed", "height", "full", "share", "film", "factor", "tractions", "most"), TABLE
+    "known", known_contacts(), ids=lambda known: f"{known.oil} {known.celsius:g} {known.speed:g}"
 )
-def test_table_of_a_prototype(oil, celsius, speed, height, full, share, film, factor, tractions, most):
+def test_table_of_a_prototype(known):
     """The numbers to the last digit that the table has."""
-    oiled = oiled_contact(oil, celsius, speed, 1e-6 * height)
+    oiled = known.contact()
     contact = oiled.contact
-    assert 1e6 * oiled.full_film == pytest.approx(full, abs=1.1e-4)
-    assert contact.asperity_share == pytest.approx(share, abs=1.1e-5)
-    assert 1e6 * contact.film_thickness == pytest.approx(film, abs=1.1e-4)
+    assert oiled.full_film == pytest.approx(known.full_film, abs=1.1e-10)
+    assert contact.asperity_share == pytest.approx(known.asperity_share, abs=1.1e-5)
+    assert contact.film_thickness == pytest.approx(known.film_thickness, abs=1.1e-10)
     assert elastic_layers_factor(contact=contact, layer_factor=oiled.layer_factor) == pytest.approx(
-        factor, abs=1.1e-4
+        known.elastic_factor, abs=1.1e-4
     )
-    assert [float(traction(oiled, xi)[0]) for xi in CREEPAGES] == pytest.approx(tractions, abs=1.1e-5)
-    assert capacity(oiled).traction / LOAD == pytest.approx(most, abs=1.1e-5)
+    assert [float(traction(oiled, xi)[0]) for xi in CREEPAGES] == pytest.approx(known.tractions, abs=1.1e-5)
+    assert capacity(oiled).traction / LOAD == pytest.approx(known.capacity, abs=1.1e-5)
 
 
 def test_dry_contact_is_carters():
@@ -352,41 +216,115 @@ def test_orderings():
 
 
 def random_contacts(count, seed=5):
-    """Contacts of all oils but one law at random loads, speeds, temperatures and roughness, one oil after the other."""
+    """Contacts of all oils at random loads, speeds, temperatures, roughness and friction, one oil after the other.
+
+    With them a random creepage each.
+    """
     random = np.random.default_rng(seed)
-    for number, oil in enumerate(OILS):
-        shape = count // len(OILS)
-        load, speed, height = (
-            np.exp(random.uniform(np.log(low), np.log(high), shape))
-            for low, high in ((100.0, 6000.0), (1e-3, 20.0), (2e-8, 8e-7))
+    size = count // len(OILS)
+    for oil in OILS:
+        pressure, speed, height, creepage = (
+            np.exp(random.uniform(np.log(low), np.log(high), size))
+            for low, high in ((1e8, 2.5e9), (1e-4, 20.0), (5e-9, 2e-6), (1e-7, 2e-2))
         )
-        yield oiled_contact(oil, (25.0, 40.0, 60.0, 90.0)[number], speed, height, load=load)
+        celsius, friction = random.uniform(20.0, 110.0, size), random.uniform(0.03, 0.2, size)
+        load = math.pi * pressure**2 * LENGTH * RADIUS / MODULUS
+        yield oiled_contact(oil, celsius, speed, height, friction=friction, load=load), creepage
 
 
-def test_bounds_and_inverse_in_random_states():
-    """Not above the stick line, rigid bodies, or what friction and limit allow; and back from traction to creepage."""
-    random = np.random.default_rng(6)
-    for oiled in random_contacts(4000):
+def without_heat(contact):
+    fluid = dataclasses.replace(contact.fluid, conductivity=np.inf)
+    return dataclasses.replace(contact, fluid=fluid, effusivity=np.inf)
+
+
+def loads(contact):
+    return 0.5 * math.pi * contact.half_width * contact.peak_pressure * LENGTH
+
+
+def most_traction(contact, warming):
+    """What friction and limiting stress allow, the latter as under the peak where it is no share of the pressure."""
+    limit, load = contact.fluid.traction.limiting_traction, loads(contact)
+    friction = contact.friction.coefficient * contact.asperity_share * load
+    if limit.stress == 0.0:
+        return friction + limit.share * contact.film_share * load
+    under_peak = limit.at(contact.film_share * contact.peak_pressure, contact.oil_temperature + warming)
+    return friction + under_peak * 2.0 * contact.half_width * LENGTH
+
+
+@pytest.mark.parametrize("count", [4000, pytest.param(100_000, marks=pytest.mark.slow)])
+def test_random_states(count):
+    """Not above the stick line, rigid bodies, or what friction and limit allow; without heat it rises; and back."""
+    for oiled, creepage in random_contacts(count):
+        for contact in (oiled.contact, without_heat(oiled.contact)):
+            found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=oiled.layer_factor)
+            stick = 0.5 * math.pi * contact.half_width * MODULUS * LENGTH * creepage / found.elastic_factor
+            assert np.all(found.traction > 0.0)
+            assert np.all(found.traction <= stick * (1.0 + 1e-12))
+            assert np.all(found.traction <= found.even * (1.0 + 1e-12))
+            assert np.all(found.traction <= most_traction(contact, found.warming) * (1.0 + 1e-12))
+        more, most = (
+            traction_at_creepage(contact=contact, creepage=xi, layer_factor=oiled.layer_factor).traction
+            for xi in (1.01 * creepage, np.full(creepage.shape, 2e-2))
+        )
+        assert np.all(more >= found.traction * (1.0 - 1e-14))
+        back = creepage_at_traction(
+            contact=contact,
+            traction=found.traction,
+            layer=same_layer(oiled.layer_factor),
+            capacity=Capacity(most, np.full(creepage.shape, 2e-2)),
+        )
+        below = found.traction < 0.998 * most
+        assert np.all(np.isfinite(back))
+        assert back[below] == pytest.approx(creepage[below], rel=1e-7)
+
+
+@pytest.mark.parametrize("count", [400, pytest.param(8000, marks=pytest.mark.slow)])
+def test_capacity_in_random_states(count):
+    """No traction that is looked for is above it, it is one up to 2 %, and below it is the way back."""
+    for oiled, creepage in random_contacts(count, seed=6):
         contact, dry = oiled.contact, oiled.layer_factor
-        creepage = np.exp(random.uniform(np.log(1e-6), np.log(2e-2), dry.shape))
+        largest = capacity(oiled)
+        assert np.all(largest.creepage <= 2e-2 * (1.0 + 1e-12))
+        at_it = traction_at_creepage(contact=contact, creepage=largest.creepage, layer_factor=dry)
+        assert largest.traction == pytest.approx(at_it.traction, rel=1e-12)
+        for tried in (creepage, *np.geomspace(1e-5, 2e-2, 40)):
+            found = traction_at_creepage(
+                contact=contact, creepage=np.broadcast_to(tried, creepage.shape), layer_factor=dry
+            )
+            assert np.all(found.traction <= largest.traction * (1.0 + 1e-4))
         found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=dry)
-        stick = 0.5 * math.pi * contact.half_width * MODULUS * LENGTH * creepage / found.elastic_factor
-        load = 0.5 * math.pi * contact.half_width * contact.peak_pressure * LENGTH
-        limit = contact.fluid.traction.limiting_traction.at(
-            contact.film_share * contact.peak_pressure, contact.oil_temperature
-        )
-        # no stress of the film above its limit under the peak
-        most = 0.12 * contact.asperity_share * load + limit * 2.0 * contact.half_width * LENGTH
-        assert np.all(found.traction <= stick * (1.0 + 1e-12))
-        assert np.all(found.traction <= found.even * (1.0 + 1e-12))
-        assert np.all(found.traction <= most * (1.0 + 1e-12))
-        largest = traction_capacity(contact=contact, layer_factor=dry)
-        assert np.all(found.traction <= largest.traction * (1.0 + 1e-6))
         below = (creepage < largest.creepage) & (found.traction < 0.998 * largest.traction)
         back = creepage_at_traction(
             contact=contact, traction=found.traction, layer=same_layer(dry), capacity=largest
         )
+        assert np.all(np.isfinite(back))
         assert back[below] == pytest.approx(creepage[below], rel=1e-7)
+
+
+def test_slopes_by_load_and_traction_in_random_states():
+    """Of the creepage, load sharing and film going along, against differences."""
+    random, size = np.random.default_rng(7), 60
+    for oil in OILS:
+        load, speed, height = (
+            np.exp(random.uniform(np.log(low), np.log(high), size))
+            for low, high in ((100.0, 6000.0), (1e-3, 20.0), (2e-8, 8e-7))
+        )
+        celsius, share = random.uniform(25.0, 100.0, size), random.uniform(0.05, 0.95, size)
+        most = capacity(oiled_contact(oil, celsius, speed, height, load=load))
+
+        def creepage(traction, load, oil=oil, celsius=celsius, speed=speed, height=height, most=most):
+            oiled = oiled_contact(oil, celsius, speed, height, load=load)
+            return creepage_at_traction(
+                contact=oiled.contact, traction=traction, layer=same_layer(oiled.layer_factor), capacity=most
+            )
+
+        force = share * most.traction
+        for along, across in ((force, 0.0 * load), (0.0 * force, load)):
+            at, slope = value_and_slope(creepage, (force, load), (along, across))
+            step = 1e-5
+            ends = [creepage(force + sign * step * along, load + sign * step * across) for sign in (1, -1)]
+            assert np.all(np.isfinite(slope))
+            assert slope / at == pytest.approx((ends[0] - ends[1]) / (2.0 * step) / at, rel=2e-5, abs=2e-6)
 
 
 def test_slopes_are_those_of_differences():

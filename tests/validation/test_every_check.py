@@ -8,7 +8,15 @@ import pytest
 from asperity.validation.run import GROUPS
 
 #: Groups that take longer than a second.
-SLOW = ("unlike branches", "rings", "half-space", "partial slip", "rolling", "the paper's figures")
+SLOW = (
+    "creep with oil",
+    "unlike branches",
+    "rings",
+    "half-space",
+    "partial slip",
+    "rolling",
+    "the paper's figures",
+)
 ABSOLUTE = "absolute"
 #: Of each check of each group how many values it compares, and the largest tolerance that it may have, relative unless
 #: it is absolute.
@@ -24,6 +32,15 @@ CHECKS = {
     "skewed rollers": [(2, 1e-06), (5, 1e-12), (5, 1e-12), (3, 1e-12), (2, 1e-05)],
     "asperities in rolling": [(20, 0.004), (5, 0.0006, ABSOLUTE)],
     "oil": [(1, 0.0005), (1, 0.0007), (1, 0.0025)],
+    "oil films and shares": [(11, 1.1e-4, ABSOLUTE), (11, 1.1e-5, ABSOLUTE), (11, 1.1e-4, ABSOLUTE)],
+    "creep with oil": [
+        (11, 1.1e-4, ABSOLUTE),
+        (55, 1.1e-5, ABSOLUTE),
+        (11, 1.1e-5, ABSOLUTE),
+        (3, 1e-9),
+        (3, 0.003),
+        (11, 0.1),
+    ],
     "stresses": [(3, 1e-09), (2000, 1e-09), (2, 0.002), (10, 0.0002)],
     "fatigue": [(5, 0.0002), (1, 1e-12), (3, 1e-12)],
     "discs": [(1, 0.0005), (1, 0.02)],

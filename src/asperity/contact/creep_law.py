@@ -66,7 +66,22 @@ class CreepingContact(NamedTuple):
 
 
 def film_yield(contact: MixedContact) -> Array:
-    """Creepage that a film adds that carries all and does not slip, over that of the bodies, (1 − A)(f_F − 1) [-]."""
+    """Creepage that a film adds that carries all and does not slip, over that of the bodies.
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact.
+
+    Returns
+    -------
+    Array
+        (1 − A)(f_F − 1), shape (contacts, ...) [-].
+
+    References
+    ----------
+    Equation (F5) of :doc:`/equations`.
+    """
     body = FilmBody(
         thickness=contact.film_thickness,
         half_width=contact.half_width,
@@ -100,7 +115,11 @@ def elastic_layers_factor(*, contact: MixedContact, layer_factor: Array) -> Arra
     """
     film, dry = film_yield(contact), layer_factor - 1.0
     # springs side by side; a film of no thickness or asperities that do not yield leave no compliance
-    return 1.0 + film * dry / (contact.film_share * dry + contact.asperity_share * film)
+    stiff = contact.film_share * dry + contact.asperity_share * film
+    both = stiff > 0.0
+    # a film that carries all does not ask for the asperities
+    alone = xp.where(contact.asperity_share > 0.0, 0.0, film)
+    return 1.0 + xp.where(both, film * dry / xp.where(both, stiff, 1.0), alone)
 
 
 def traction_at_creepage(*, contact: MixedContact, creepage: Array, layer_factor: Array) -> CreepingContact:
@@ -182,7 +201,26 @@ class Capacity(NamedTuple):
 
 
 def stick_creepage(*, contact: MixedContact, traction: Array, elastic_factor: Array) -> Array:
-    r"""Creepage under a traction if nothing slipped, :math:`\xi = 2 T f/(\pi a E^* B)` [-]; the least there is."""
+    r"""Creepage under a traction if nothing slipped, :math:`\xi = 2 T f/(\pi a E^* B)`; the least there is.
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact.
+    traction : Array
+        T, shape (contacts, ...) [N].
+    elastic_factor : Array
+        f of :func:`elastic_layers_factor` [-].
+
+    Returns
+    -------
+    Array
+        Creepage, shape (contacts, ...) [-].
+
+    References
+    ----------
+    Carter's slope, stretched by the layers; equation (F5) of :doc:`/equations`.
+    """
     area = contact.half_width * contact.contact_length * xp.ones_like(contact.film_thickness)
     stiffness = 0.5 * math.pi * contact.total(area * contact.contact_modulus / elastic_factor)
     return traction / stiffness

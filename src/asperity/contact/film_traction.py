@@ -179,30 +179,100 @@ def _warmer_than_heated(given: tuple[MixedContact, Array], warming: Array) -> Ar
 
 
 def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -> EvenSlip:
-    """As :func:`even_slip`, with a given warming of the film [K]."""
+    """Traction of a contact between rigid bodies at a creepage and a given warming of its film.
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact.
+    creepage : Array
+        xi, positive, shape (contacts, ...) [-].
+    warming : Array
+        Of the film, of the same shape [K].
+
+    Returns
+    -------
+    EvenSlip
+        As of :func:`even_slip`; ``heated`` is what its heat would warm the film by.
+
+    References
+    ----------
+    Equation (F4) of :doc:`/equations`.
+    """
     slip = creepage * contact.rolling_speed
+    stress, rise = local_stress(
+        contact=contact,
+        pressure_shape=xp.asarray(_along(SHAPE, contact.film_share * contact.peak_pressure)),
+        slip_speed=slip,
+        warming=warming,
+    )
+    mean = width_mean(stress)
+    force = 2.0 * contact.half_width * contact.contact_length * mean
+    return EvenSlip(
+        stress, mean, force, width_mean(rise) / mean, _resistance_to_heat(contact) * slip * mean
+    )
+
+
+def local_stress(
+    *, contact: MixedContact, pressure_shape: Array, slip_speed: Array, warming: Array
+) -> tuple[Array, Array]:
+    r"""Shear stress at places of a contact that slip each at a speed of its own.
+
+    .. math:: \tau(x) = \mu_b(v)\,A\,p(x) + \tau_f(x; v)
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact.
+    pressure_shape : Array
+        Pressure over its peak, shape (places, contacts, ...) [-].
+    slip_speed : Array
+        v, positive, of the same shape, or shape (contacts, ...) for places that slip alike [m/s].
+    warming : Array
+        Of the film, shape (contacts, ...) [K].
+
+    Returns
+    -------
+    tuple of Array
+        Stress [Pa], and its slope over the logarithm of the slip speed [Pa].
+
+    References
+    ----------
+    Equation (F4) of :doc:`/equations`.
+    """
     carries = contact.film_share > 0.0
     peak = xp.asarray(xp.where(carries, contact.film_share, 1.0) * contact.peak_pressure)
     film = Film(
-        pressure=xp.asarray(_along(SHAPE, peak) * peak),
+        pressure=xp.asarray(pressure_shape * peak),
         peak_pressure=peak,
         thickness=contact.film_thickness,
-        slip_speed=slip,
+        slip_speed=slip_speed,
         temperature=contact.oil_temperature + warming,
     )
     film_stress, film_slope = contact.traction.stress(contact.fluid.viscosity, film)
-    coefficient, friction_slope = contact.friction.at(slip)
     film_stress = xp.where(carries, film_stress, 0.0)
-    pressure = _along(SHAPE, peak) * (contact.asperity_share * contact.peak_pressure)
-    stress = coefficient * pressure + film_stress
-    mean = width_mean(stress)
-    rise = width_mean(friction_slope * pressure + film_slope * film_stress)
-    force = 2.0 * contact.half_width * contact.contact_length * mean
-    return EvenSlip(stress, mean, force, rise / mean, _resistance_to_heat(contact) * slip * mean)
+    coefficient, friction_slope = contact.friction.at(slip_speed)
+    pressure = pressure_shape * (contact.asperity_share * contact.peak_pressure)
+    return coefficient * pressure + film_stress, friction_slope * pressure + film_slope * film_stress
 
 
 def width_mean(stress: Array) -> Array:
-    r"""Mean over the width of a stress at the places of half of it, :math:`\int \tau\,dx/2a`."""
+    r"""Mean over the width of a stress that is symmetric across the contact, :math:`\int \tau\,dx/2a`.
+
+    Parameters
+    ----------
+    stress : Array
+        At :data:`PLACES` of half of the width, shape (16, contacts, ...) [Pa].
+
+    Returns
+    -------
+    Array
+        Mean, shape (contacts, ...) [Pa].
+
+    References
+    ----------
+    Gauss's quadrature over phi with x = a sin phi; equation (F4) of :doc:`/equations`.
+    """
     return 0.5 * (_along(WEIGHTS, stress[0]) * stress).sum(axis=0)
 
 

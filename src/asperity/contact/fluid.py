@@ -215,7 +215,22 @@ def film_slope(*, slope: Real, rig_modulus: Real, rig_peak_pressure: Real) -> Re
 
 
 def smooth_minimum(one: Array, other: Array) -> tuple[Array, Array]:
-    r"""The lower one of two positive stresses, :math:`(a^{-8} + b^{-8})^{-1/8}`, and its logarithmic slope by a."""
+    r"""The lower one of two stresses, smoothly, :math:`(a^{-8} + b^{-8})^{-1/8}`.
+
+    Parameters
+    ----------
+    one, other : Array
+        a, positive, and b, not negative, of one shape [Pa].
+
+    Returns
+    -------
+    tuple of Array
+        Stress [Pa], and the slope of its logarithm over that of a [-].
+
+    References
+    ----------
+    Equation (F4) of :doc:`/equations`.
+    """
     positive = other > 0.0
     ratio = one / xp.where(positive, other, 1.0)
     below = ratio < 1.0

@@ -114,7 +114,8 @@ def shared_load(
     Returns
     -------
     LoadSharing
-        Its thickness is that of the film that carries its share.
+        Its thickness is that of the film that carries its share; nan where the factor on the thickness is not above 0,
+        beyond the range of its fit.
 
     Notes
     -----
@@ -126,10 +127,11 @@ def shared_load(
     K. L. Johnson, J. A. Greenwood and S. Y. Poon, Wear 19 (1972) 91; equation (F3) of :doc:`/equations`.
     """
     rough = _Rough(decay_length, rms_height, half_width, inlet.contact_modulus / mean_pressure)
-    film = _Film(inlet, thickness_factor, film_law)
+    factor = xp.asarray(thickness_factor)
+    film = _Film(inlet, xp.where(factor > 0.0, factor, xp.nan), film_law)
     nothing = 0.0 * (mean_pressure + half_width + rms_height)
     ends = nothing - _LARGEST_LOGIT, nothing + _LARGEST_LOGIT
-    logit = elementwise_root(_misfit, (rough, film), *ends, ends[1])
+    logit = elementwise_root(_misfit, (rough, film), *ends, ends[1]) + 0.0 * film.factor
     film_share = xp.exp(-xp.logaddexp(0.0, logit))
     return LoadSharing(xp.exp(-xp.logaddexp(0.0, -logit)), film_share, film.thickness(film_share))
 

@@ -135,6 +135,13 @@ class RoelandsPressureRise(Module):
 class Viscosity(Module):
     r"""Viscosity of an oil, :math:`\eta(p, T) = \eta_0(T)\, e^{\ln(\eta/\eta_0)(p, T)}`.
 
+    Parameters
+    ----------
+    without_pressure : ExponentialViscosity or WaltherViscosity
+        eta_0 over the temperature.
+    pressure_rise : RationalPressureRise or RoelandsPressureRise
+        ln(eta/eta_0) over pressure and temperature.
+
     References
     ----------
     C. J. A. Roelands, dissertation, TU Delft 1966; A. Arana et al., Proc. IMechE J 233 (2019) 303 (the rational rise);
