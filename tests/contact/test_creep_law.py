@@ -5,13 +5,13 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize_scalar
 from traction_contacts import (
     HALF_WIDTH,
     LENGTH,
     LOAD,
     MODULUS,
     OILS,
-    PEAK,
     RADIUS,
     dry_contact,
     oiled_contact,
@@ -26,10 +26,11 @@ from asperity.contact.creep_law import (
     traction_at_creepage,
     traction_capacity,
 )
-from asperity.contact.film_traction import BoundaryFriction, even_slip
+from asperity.contact.film_traction import even_slip
 from asperity.contact.fluid import DataSheetTraction, Fluid, LimitingTraction, RheologicalTraction, film_slope
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
 from asperity.engine.derivatives import value_and_slope
+from asperity.engine.module import Partial
 from asperity.validation.oiled_rollers import CREEPAGES, known_contacts
 
 
@@ -368,19 +369,74 @@ def test_creepage_is_odd_and_goes_on_beyond_the_capacity():
     assert creepage(0.998) < creepage(0.999) < creepage(1.1) < creepage(2.0)
 
 
-def test_friction_over_the_slip_speed():
-    """0.12 up to 1 mm/s, 0.08 from 0.1 m/s on, with the logarithm between."""
-    law = BoundaryFriction(0.12, (1e-3, 1e-2, 1e-1), (0.12, 0.11, 0.08))
-    speeds = np.array([1e-5, 1e-3, 10**-2.5, 10**-1.5, 1.0])
-    found, slope = law.at(speeds)
-    assert found == pytest.approx([0.12, 0.12, 0.115, 0.095, 0.08], rel=1e-12)
-    decade = math.log(10.0)
-    assert slope == pytest.approx([0.0, -0.01 / decade, -0.01 / decade, -0.03 / decade, 0.0], rel=1e-12)
+def test_smooth_bodies_on_a_film_ask_for_no_asperities():
+    """Without asperities, f = 1 + pi E* h/(4 a G), whether a layer of asperities would yield or not; a rough one has
+    none where either yields nothing."""
+    smooth = oiled_contact("M100", 60.0, 1.0, 1e-7, rough=False).contact
+    film = 0.25 * math.pi * MODULUS * smooth.film_thickness / (HALF_WIDTH * 0.5e9)
+    for layer in (1.0, 1.02):
+        found = elastic_layers_factor(contact=smooth, layer_factor=np.array([layer]))
+        assert found == pytest.approx(1.0 + film, rel=1e-14)
+    rough = oiled_contact("M100", 60.0, 0.1, 1e-7).contact
+    assert elastic_layers_factor(contact=rough, layer_factor=np.array([1.0])) == 1.0
 
 
-def test_warming_of_the_film():
-    """M100 at 60 °C, creepage 0.01: 0.15, 0.82 and 4.68 K at 1, 5 and 20 m/s; by an independent computation."""
-    oiled = oiled_contact("M100", 60.0, [1.0, 5.0, 20.0], 1e-7)
-    slides = even_slip(contact=oiled.contact, creepage=np.full(3, 1e-2))
-    assert slides.heated == pytest.approx([0.15, 0.82, 4.68], abs=6e-3)
-    assert pytest.approx(PEAK, rel=1e-12) == float(oiled.contact.peak_pressure[0])
+def test_a_limit_of_creep_is_kept():
+    """A film whose traction still rises there has its capacity at the limit."""
+    oiled = oiled_contact("PAO100", 40.0, 1.0, 1e-7)
+    for limit in (0.001, 0.01):
+        most = traction_capacity(contact=oiled.contact, layer_factor=oiled.layer_factor, creep_limit=limit)
+        assert most.creepage == pytest.approx(limit, rel=1e-12)
+        assert most.traction / LOAD == pytest.approx(traction(oiled, limit), rel=1e-12)
+
+
+def test_a_largest_traction_before_the_limit():
+    """Heat thins the film: the traction is largest where another search finds it, too."""
+    oiled = oiled_contact("N100", 30.0, 20.0, 1e-7)
+    most = capacity(oiled)
+    found = minimize_scalar(
+        lambda logarithm: -float(traction(oiled, math.exp(logarithm))[0]),
+        bounds=(math.log(2e-3), math.log(2e-2)),
+        method="bounded",
+        options={"xatol": 1e-8},
+    )
+    assert 3e-3 < math.exp(found.x) < 1.5e-2
+    assert most.traction / LOAD == pytest.approx(-found.fun, rel=1e-8)
+    assert most.creepage == pytest.approx(math.exp(found.x), rel=5e-3)
+
+
+def test_beyond_the_capacity_the_tangent_goes_on():
+    """From 99.9 % of the capacity on a straight line with the slope that the creepage has there."""
+    oiled = oiled_contact("M100", 60.0, 0.3, 1e-7)
+    most = capacity(oiled)
+
+    def creepage(share):
+        return creepage_at_traction(
+            contact=oiled.contact,
+            traction=share * most.traction,
+            layer=same_layer(oiled.layer_factor),
+            capacity=most,
+        )
+
+    at = creepage(0.999)
+    slope = (at - creepage(0.999 - 1e-7)) / 1e-7
+    assert creepage(1.1) == pytest.approx(at + 0.101 * slope, rel=1e-4)
+    assert creepage(1.3) - creepage(1.2) == pytest.approx(creepage(1.2) - creepage(1.1), rel=1e-10)
+
+
+def test_layers_that_depend_on_the_traction():
+    """The factor of the asperities is that of the traction over the one of rigid bodies at the same creepage."""
+    oiled = oiled_contact("S50", 40.0, 0.05, 2e-7)
+    contact, most = oiled.contact, capacity(oiled)
+    layer = Partial(_growing, (oiled.layer_factor,))
+    force = 0.6 * most.traction
+    creepage = creepage_at_traction(contact=contact, traction=force, layer=layer, capacity=most)
+    used = force / even_slip(contact=contact, creepage=creepage).force
+    back = traction_at_creepage(
+        contact=contact, creepage=creepage, layer_factor=_growing(oiled.layer_factor, used)
+    )
+    assert back.traction == pytest.approx(force, rel=1e-9)
+
+
+def _growing(factor, used):
+    return 1.0 + (factor - 1.0) * (1.0 + used)

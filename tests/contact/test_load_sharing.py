@@ -1,13 +1,14 @@
 """Shares of asperities and film: a table of an independent computation, the balance itself, limits and orderings."""
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
-from traction_contacts import HALF_WIDTH, MODULUS, PEAK, oiled_contact
+from traction_contacts import HALF_WIDTH, MODULUS, OILS, PEAK, oiled_contact
 
 from asperity.contact.film_thickness import central_film_thickness
-from asperity.contact.load_sharing import asperity_separation, rival_share
+from asperity.contact.load_sharing import asperity_separation, rival_share, shared_load
 
 #: M100 at 60 °C, heights of 0.1 µm, over the speed [m/s]: film without asperities over the heights, share of the
 #: asperities, and by 1 − erf; computed apart.
@@ -69,3 +70,64 @@ def test_orderings():
         oiled_contact("M100", celsius, 0.1, 1e-7).contact.asperity_share[0] for celsius in (40.0, 80.0)
     )
     assert cold < warm
+
+
+def test_random_states():
+    """Shares add up to 1; that of the asperities falls with speed and viscosity, at one heat, and rises with height."""
+    random, size = np.random.default_rng(3), 4000
+    for oil in OILS:
+        load, speed, height = (
+            np.exp(random.uniform(np.log(low), np.log(high), size))
+            for low, high in ((30.0, 6000.0), (1e-5, 10.0), (1e-8, 1e-6))
+        )
+        oiled = oiled_contact(oil, random.uniform(20.0, 110.0, size), speed, height, load=load)
+        inlet, contact = oiled.inlet, oiled.contact
+
+        def sharing(inlet=inlet, height=height, contact=contact):
+            return shared_load(
+                inlet=inlet,
+                decay_length=0.48 * height,
+                rms_height=height,
+                half_width=contact.half_width,
+                mean_pressure=0.25 * math.pi * contact.peak_pressure,
+            )
+
+        at = sharing()
+        assert at.asperity_share + at.film_share == pytest.approx(np.ones(size), rel=1e-15)
+        assert np.all(at.film_thickness > 0.0)
+        between = (at.asperity_share > 1e-60) & (at.film_share > 1e-12)
+        assert np.count_nonzero(between) > size // 2
+        for less in (
+            sharing(dataclasses.replace(inlet, rolling_speed=1.05 * speed)),
+            sharing(dataclasses.replace(inlet, viscosity=1.05 * inlet.viscosity)),
+            sharing(height=height / 1.05),
+        ):
+            assert np.all(less.asperity_share[between] < at.asperity_share[between])
+
+
+def test_a_film_of_negative_thickness_carries_nothing_that_is_known():
+    """A factor on the thickness beyond the range of its fit: not a number, beside contacts that have one."""
+    oiled = oiled_contact("M100", 60.0, [1.0, 1.0], 2e-7)
+    found = shared_load(
+        inlet=oiled.inlet,
+        decay_length=0.48 * np.full(2, 2e-7),
+        rms_height=np.full(2, 2e-7),
+        half_width=np.full(2, HALF_WIDTH),
+        mean_pressure=np.full(2, math.pi / 4.0 * PEAK),
+        thickness_factor=np.array([0.9, -0.1]),
+    )
+    for values in found:
+        assert np.isfinite(values).tolist() == [True, False]
+
+
+def test_separation_by_hand():
+    """u0 ln 2 where beta E*/(A p) is 1: 1.1 pi/a h E*/p with a 110 pi µm, h 0.1 µm, E* 100 GPa, p 0.5 GPa and A 0.2."""
+    found = asperity_separation(
+        asperity_share=0.2,
+        decay_length=5e-8,
+        rms_height=1e-7,
+        half_width=110e-6 * math.pi,
+        contact_modulus=100e9,
+        mean_pressure=0.5e9,
+    )
+    assert found == pytest.approx(5e-8 * math.log(2.0), rel=1e-12)

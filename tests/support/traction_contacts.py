@@ -5,6 +5,7 @@ import numpy as np
 from asperity.contact.film_traction import MixedContact
 from asperity.engine.module import Partial
 from asperity.validation.oiled_rollers import (
+    EFFUSIVITY,
     HALF_WIDTH,
     LENGTH,
     LOAD,
@@ -17,6 +18,7 @@ from asperity.validation.oiled_rollers import (
 )
 
 __all__ = [
+    "EFFUSIVITY",
     "HALF_WIDTH",
     "LENGTH",
     "LOAD",
