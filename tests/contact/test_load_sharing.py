@@ -41,7 +41,7 @@ def test_film_and_separation_meet():
         contact_modulus=MODULUS,
         mean_pressure=math.pi / 4.0 * PEAK,
     )
-    assert contact.film_thickness == pytest.approx(apart, rel=1e-9)
+    assert contact.film_thickness == pytest.approx(apart, rel=1e-9, abs=0.0)
     softer = type(oiled.inlet)(
         *(
             value * contact.film_share if name in ("line_load", "contact_modulus") else value
@@ -49,7 +49,9 @@ def test_film_and_separation_meet():
         )
     )
     heat = oiled.full_film / central_film_thickness(inlet=oiled.inlet)
-    assert contact.film_thickness == pytest.approx(heat * central_film_thickness(inlet=softer), rel=1e-12)
+    assert contact.film_thickness == pytest.approx(
+        heat * central_film_thickness(inlet=softer), rel=1e-12, abs=0.0
+    )
 
 
 def test_asperities_carry_all_at_rest_and_nothing_over_a_thick_film():
@@ -57,7 +59,7 @@ def test_asperities_carry_all_at_rest_and_nothing_over_a_thick_film():
     assert float(slow.contact.film_share[0]) < 1e-7
     thick = oiled_contact("M100", 25.0, 50.0, 1e-9)
     assert float(thick.contact.asperity_share[0]) < 1e-80
-    assert thick.contact.film_thickness == pytest.approx(thick.full_film, rel=1e-12)
+    assert thick.contact.film_thickness == pytest.approx(thick.full_film, rel=1e-12, abs=0.0)
 
 
 def test_orderings():
@@ -95,6 +97,8 @@ def test_random_states():
         at = sharing()
         assert at.asperity_share + at.film_share == pytest.approx(np.ones(size), rel=1e-15)
         assert np.all(at.film_thickness > 0.0)
+        film = central_film_thickness(inlet=inlet, film_share=at.film_share)
+        assert at.film_thickness == pytest.approx(film, rel=1e-12, abs=0.0)
         between = (at.asperity_share > 1e-60) & (at.film_share > 1e-12)
         assert np.count_nonzero(between) > size // 2
         for less in (
@@ -130,4 +134,4 @@ def test_separation_by_hand():
         contact_modulus=100e9,
         mean_pressure=0.5e9,
     )
-    assert found == pytest.approx(5e-8 * math.log(2.0), rel=1e-12)
+    assert found == pytest.approx(5e-8 * math.log(2.0), rel=1e-12, abs=0.0)
