@@ -34,12 +34,14 @@ from asperity.types import Array, Real
 CREEP_LIMIT = 0.02
 
 #: First step back from the creepage limit to the largest traction, and the last, as logarithms; share of the traction
-#: that may be missing.
-_FIRST_STEP, _FARTHEST, _AT_THE_TOP = 0.5, -10.0, 1e-7
+#: that may be missing, and where only tractions matter that a contact may reach before.
+_FIRST_STEP, _FARTHEST, _AT_THE_TOP, _NEAR_THE_TOP = 0.5, -10.0, 1e-7, 2e-5
 #: Share of the capacity above which the law is continued as a line, for iterates of a solver only.
 NEAR_CAPACITY = 0.999
 #: Share of the traction at the creepage limit below which the largest does not matter [-].
 _WELL_BELOW = 0.99
+#: Repetitions with which the creepage is found at which all of a dry contact would slip.
+_TO_THE_KNEE = 1
 #: Below this share of the capacity creepage is in proportion to the traction [-].
 _LEAST_SHARE = 1e-9
 #: Steps to a creepage, and the last change of its logarithm and of the film's warming [K], whose square is left.
@@ -232,6 +234,7 @@ def traction_capacity(
     layer_factor: Array,
     creep_limit: Real = CREEP_LIMIT,
     sought: Array | None = None,
+    roughly: bool = False,
 ) -> Capacity:
     r"""Largest traction that contacts reach up to a creepage, :math:`\max_{\xi \le \xi_{lim}} T(\xi)`.
 
@@ -245,7 +248,11 @@ def traction_capacity(
         Largest creepage that counts [-].
     sought : Array or None, optional
         Tractions of which only those matter that a contact reaches before [N]: where the traction still rises at the
-        limit, or all of them stay below 99 % of it there, that is returned. None to find the largest in any case.
+        limit, or all of them stay below 99 % of it there, that is returned, and else the largest but for 2e-5. None to
+        find it in any case.
+    roughly : bool, optional
+        Whether, where the traction falls at the limit, that at which all of a dry contact would slip will do: less by a
+        thousandth or so.
 
     Returns
     -------
@@ -264,35 +271,55 @@ def traction_capacity(
     at_limit = climb(limit, 0.0)
 
     def largest() -> Capacity:
-        creepage = xp.exp(_top(climb, limit, at_limit))
+        missing = _AT_THE_TOP if sought is None else _NEAR_THE_TOP
+        creepage = xp.exp(_top(climb, limit, at_limit, missing))
         found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=layer_factor)
         return Capacity(found.traction, creepage, creep_limit + nothing)
 
-    def last() -> Capacity:
-        creepage, size = xp.exp(limit), slip_size(contact, xp.exp(limit))
-        slides = slip_at_warming(contact=contact, creepage=size, warming=at_limit.warming)
+    def at_warming(logarithm: Array, warming: Array) -> Capacity:
+        """The traction at a creepage, its film as warm under any load."""
+        creepage = xp.exp(logarithm)
+        slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=warming)
         factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
         along, _ = _forces(contact, creepage, slides, factor)
         return Capacity(contact.total(along), creepage, creep_limit + nothing)
 
+    def last() -> Capacity:
+        return at_warming(limit, at_limit.warming)
+
+    def at_knee() -> Capacity:
+        factor = elastic_layers_factor(contact=plain, layer_factor=dry)
+        even, warming, before = at_limit.even, at_limit.warming, limit
+        for _ in range(_TO_THE_KNEE):
+            stick = stick_creepage(contact=plain, traction=2.0 * even, elastic_factor=factor)
+            knee = xp.minimum(xp.log(stick), limit)
+            size = slip_size(plain, xp.exp(knee))
+            slides = even_slip(contact=plain, creepage=size, guess=warming * xp.exp(knee - before))
+            even, warming, before = plain.total(slides.force), slides.heated, knee
+        return at_warming(before, warming)
+
     if sought is None:
         return largest()
+    if roughly:
+        return cond(xp.any(at_limit.slope < 0.0), at_knee, last)
     reached = xp.abs(without_slopes(sought)) > _WELL_BELOW * at_limit.traction
     return cond(xp.any(reached & (at_limit.slope < 0.0)), largest, last)
 
 
 class _Climb(NamedTuple):
-    """Traction [N], its slope over the logarithm of the creepage [N], and the warming of the film [K]."""
+    """Traction, its slope over the logarithm of the creepage, that of rigid bodies [N], and the film's warming [K]."""
 
     traction: Array
     slope: Array
+    even: Array
     warming: Array
 
 
 def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: Array | float) -> _Climb:
     """The traction at a creepage and how it rises there, the film as warm as its heat makes it."""
     size = slip_size(contact, xp.exp(logarithm))
-    warming = even_slip(contact=contact, creepage=size, guess=guess).heated
+    slides = even_slip(contact=contact, creepage=size, guess=guess)
+    warming = slides.heated
     factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
 
     def of_slices(x: _Unknowns) -> _Unknowns:
@@ -306,7 +333,7 @@ def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: 
     value, slopes = value_and_slopes(of_slices, (_Unknowns(logarithm, warming),), directions)
     (by_logarithm, warms_by_it), (by_warming, warms) = slopes
     slope = contact.total(by_logarithm - by_warming * warms_by_it / warms)
-    return _Climb(contact.total(value.logarithm), slope, warming)
+    return _Climb(contact.total(value.logarithm), slope, contact.total(slides.force), warming)
 
 
 class _Top(NamedTuple):
@@ -325,21 +352,23 @@ class _Top(NamedTuple):
     left: Array
 
 
-def _top(climb: Callable[[Array, Array | float], _Climb], limit: Array, at_limit: _Climb) -> Array:
-    """Logarithm of the creepage of the largest traction, or the limit if the traction rises up to there.
+def _top(
+    climb: Callable[[Array, Array | float], _Climb], limit: Array, at_limit: _Climb, missing: float
+) -> Array:
+    """Logarithm of the creepage of the largest traction, but for a missing share, or the limit if it rises up to there.
 
     Back from the limit by doubled steps until the traction rises, then by chords of the cube roots of the slopes, which
     are of unlike size where all of a contact begins to slip; an end that stays counts half (rule of the Illinois).
     """
 
     def unfinished(state: _Top) -> Array:
-        return (state.rounds < _MOST_STEPS) & xp.any(state.left > _AT_THE_TOP)
+        return (state.rounds < _MOST_STEPS) & xp.any(state.left > missing)
 
     def improved(state: _Top) -> _Top:
         known = state.rises > 0.0
         chord = (state.low * state.falls - state.high * state.rises) / (state.falls - state.rises)
         back = limit - _FIRST_STEP * 2.0**state.rounds
-        going = state.left > _AT_THE_TOP
+        going = state.left > missing
         tried = xp.where(going, xp.where(known, chord, back), state.tried)
         at = climb(tried, state.warming * xp.exp(tried - state.tried))
         up, root = at.slope > 0.0, xp.cbrt(at.slope)

@@ -208,9 +208,7 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
     )
     mean = width_mean(stress)
     force = 2.0 * contact.half_width * contact.contact_length * mean
-    return EvenSlip(
-        stress, mean, force, width_mean(rise) / mean, _resistance_to_heat(contact) * slip * mean
-    )
+    return EvenSlip(stress, mean, force, width_mean(rise) / mean, _resistance_to_heat(contact) * slip * mean)
 
 
 def local_stress(

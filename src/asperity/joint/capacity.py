@@ -113,7 +113,7 @@ def loading(
             load=dataclasses.replace(unloaded, output_torque=xp.asarray(torque, dtype=float)),
             rolls=rolls,
             holds=holds,
-            creep_of=creep_under(machine),
+            creep_of=creep_under(machine, searching=True),
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Sequence
 
@@ -29,7 +30,7 @@ from asperity.joint.description import Joint, places
 from asperity.joint.fit import BodyModel
 from asperity.joint.machine import JointMachine
 from asperity.materials import Material
-from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
+from asperity.rolling.creep import CapacityOf, ContactCreep, contact_creep, contact_friction
 from asperity.rolling.film import OiledSurfaces
 from asperity.rolling.power import oil_drag
 from asperity.rolling.surface import effusivity_of, mean_half_width
@@ -110,13 +111,17 @@ def creep_law(machine: JointMachine, normal_force: Array, tangential_force: Arra
     )
 
 
-def creep_under(machine: JointMachine) -> CreepOf:
-    """Creep by the law of :func:`creep_law` under any forces, as a module of numbers."""
+def creep_under(machine: JointMachine, *, searching: bool = False) -> CreepOf:
+    """Creep by the law of :func:`creep_law` under any forces, as a module of numbers.
+
+    ``searching``: whether states beyond what contacts with oil bear are of no interest but that they are beyond.
+    """
     given = machine.joint.rolling.skew, machine.contacts, oiled_surfaces(machine)
-    return Partial(_creep_under, given)
+    return Partial(functools.partial(_creep_under, "rough" if searching else "near"), given)
 
 
 def _creep_under(
+    capacity: CapacityOf,
     skew: tuple[Real, ...] | None,
     contacts: JointContacts,
     surfaces: OiledSurfaces | None,
@@ -129,7 +134,7 @@ def _creep_under(
         normal_force=normal_force,
         tangential_force=tangential_force,
         surfaces=surfaces,
-        with_capacity=False,
+        capacity=capacity,
     )
     creepage = creep.creepage(normal_force, tangential_force)
     bears = creep.law.friction_coefficient * normal_force

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from asperity.contact import carter
 from asperity.contact.creep_law import LayerFactor
@@ -26,6 +26,9 @@ from asperity.joint.crowned_contacts import rough_slices, slice_friction
 from asperity.joint.fit import per_contact
 from asperity.rolling.film import OiledCreep, OiledSurfaces, oiled_contacts, oiled_creep
 from asperity.types import Array, Real
+
+#: How well the largest traction of oiled contacts is to be known: exactly, where the forces come near it, or roughly.
+CapacityOf = Literal["exact", "near", "rough"]
 
 # slip ratios between which the factors on Carter's creepage are taken
 _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
@@ -83,7 +86,7 @@ def contact_creep(
     normal_force: Array,
     tangential_force: Array,
     surfaces: OiledSurfaces | None = None,
-    with_capacity: bool = True,
+    capacity: CapacityOf = "exact",
 ) -> ContactCreep:
     r"""Carter's creep of the contacts with their asperities as a layer between the bodies, and with skew.
 
@@ -101,8 +104,8 @@ def contact_creep(
     place. Across the rolling direction the same asperities lie on bodies that are softer in the ratio of the creepages
     at gross slip. The slices of a crowned contact share one creepage; their widths give one more factor, and the
     layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together. With
-    ``surfaces`` that meet oil the law is that of :mod:`asperity.rolling.film` where the contacts roll; without
-    ``with_capacity`` their largest traction is found only where these forces come near it.
+    ``surfaces`` that meet oil the law is that of :mod:`asperity.rolling.film` where the contacts roll; ``capacity``:
+    how well their largest traction is to be known.
     """
     stiffness = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=xp.zeros_like(tangential_force)
@@ -118,8 +121,13 @@ def contact_creep(
         return creep
     lateral = None if creep.parallel else (creep.skew / creep.lateral_ratio, creep.lateral_ratio)
     oiled = oiled_contacts(surfaces=surfaces, contacts=contacts, normal_force=normal_force, lateral=lateral)
-    sought = None if with_capacity else tangential_force
-    law = oiled_creep(oiled=oiled, layer=creep.layer, surfaces=surfaces, sought=sought)
+    law = oiled_creep(
+        oiled=oiled,
+        layer=creep.layer,
+        surfaces=surfaces,
+        sought=None if capacity == "exact" else tangential_force,
+        roughly=capacity == "rough",
+    )
     return creep._replace(oiled=law)
 
 

@@ -253,16 +253,26 @@ class OiledCreep(NamedTuple):
 
 
 def oiled_creep(
-    *, oiled: OiledContacts, layer: LayerFactor, surfaces: OiledSurfaces, sought: Array | None = None
+    *,
+    oiled: OiledContacts,
+    layer: LayerFactor,
+    surfaces: OiledSurfaces,
+    sought: Array | None = None,
+    roughly: bool = False,
 ) -> OiledCreep:
     """The creep law of contacts with oil; equation (F5).
 
-    ``sought``: tractions for which alone it is made [N]: capacities that they are well below of are not found.
+    ``sought``: tractions for which alone it is made [N]: capacities that they are well below of are not found;
+    ``roughly``, whether the others need not be exact.
     """
     contact = oiled.contact
     near = layer(NEAR_CAPACITY + contact.total(0.0 * contact.film_thickness))
     capacity = traction_capacity(
-        contact=contact, layer_factor=near, creep_limit=surfaces.lubricant.creep_limit, sought=sought
+        contact=contact,
+        layer_factor=near,
+        creep_limit=surfaces.lubricant.creep_limit,
+        sought=sought,
+        roughly=roughly,
     )
     return OiledCreep(oiled, layer, capacity, surfaces.rolling_speed > 0.0)
 
