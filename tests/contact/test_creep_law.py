@@ -26,7 +26,7 @@ from asperity.contact.creep_law import (
     traction_at_creepage,
     traction_capacity,
 )
-from asperity.contact.film_traction import even_slip
+from asperity.contact.film_traction import BoundaryFriction, even_slip
 from asperity.contact.fluid import DataSheetTraction, Fluid, LimitingTraction, RheologicalTraction, film_slope
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
 from asperity.engine.derivatives import value_and_slope
@@ -272,7 +272,7 @@ def test_random_states(count):
             contact=contact,
             traction=found.traction,
             layer=same_layer(oiled.layer_factor),
-            capacity=Capacity(most, np.full(creepage.shape, 2e-2)),
+            capacity=Capacity(most, np.full(creepage.shape, 2e-2), 2e-2),
         )
         below = found.traction < 0.998 * most
         assert np.all(np.isfinite(back))

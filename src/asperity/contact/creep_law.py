@@ -165,7 +165,24 @@ def traction_at_creepage(*, contact: MixedContact, creepage: Array, layer_factor
 
 
 def slip_size(contact: MixedContact, creepage: Array) -> Array:
-    """Size of the creepages along and across [-], that across by how much further the bodies give way that way."""
+    r"""Size of the creepages along and across, :math:`\sqrt{\xi^2 + \xi_y^2}`.
+
+    Parameters
+    ----------
+    contact : MixedContact
+        The contact, whose lateral creepage is over how much further the bodies give way that way.
+    creepage : Array
+        xi along, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    Array
+        Size, of the same shape [-].
+
+    References
+    ----------
+    Equation (F5) of :doc:`/equations`.
+    """
     if contact.lateral_creepage is None:
         return creepage
     return xp.sqrt(creepage**2 + contact.lateral_creepage**2)

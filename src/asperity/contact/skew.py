@@ -114,7 +114,24 @@ def _force_over_share(share: Real) -> Real:
 
 
 def turn_exponent(share: Real) -> Real:
-    """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
+    r"""Exponent w that turns the traction from the scaled creepage towards the creepage itself.
+
+    .. math:: w = \frac{z}{4 - 2z} \;(z < 1), \qquad 1 - \frac1{2z^2} \;(z \ge 1)
+
+    Parameters
+    ----------
+    share : Real
+        Size z of the creepages over that at which all slips, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    Real
+        Exponent, of the same shape [-].
+
+    References
+    ----------
+    Fitted to boundary elements, :func:`skewed_slip_ratios`.
+    """
     sticks = share < 1.0
     inside = xp.where(sticks, share, 0.0)
     beyond = xp.where(sticks, 1.0, share)
