@@ -407,7 +407,7 @@ def _top(
 
     falling = at_limit.slope < 0.0
     first = _Top(
-        rounds=xp.asarray(0),
+        rounds=xp.asarray(0.0),  # a float, which 2 is raised to
         low=limit - 1.0,
         high=limit,
         rises=0.0 * limit,
