@@ -277,6 +277,11 @@ def traction_capacity(
         The traction may fall beyond: heat thins the film. Derivatives at a fixed creepage, exact at the largest
         traction.
 
+    Notes
+    -----
+    The search goes back from the limit and stays there where the traction rises. Of 8000 random contacts one, with an
+    oil whose limiting stress hardly depends on the temperature, had a traction 0.4 % larger at a lower creepage.
+
     References
     ----------
     Equation (F5) of :doc:`/equations`.
