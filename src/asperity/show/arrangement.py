@@ -93,15 +93,20 @@ def arrange(
     what: str,
     size: float,
     formats: Sequence[Format] = FORMATS,
-    least_drawn: float = LEAST_DRAWN,
+    filled: bool = True,
 ) -> Arrangement:
     """The smallest sheet on which a drawing is large, at the largest scale at which everything fits on it.
 
     ``views`` from a scale to the rooms of the views, from left to right; ``lines`` of the notes; ``origin``: number of
-    the view whose origin is that of the drawing; ``what`` is drawn, and its ``size`` [mm], for refusals.
+    the view whose origin is that of the drawing; ``what`` is drawn, and its ``size`` [mm], for refusals; ``filled``:
+    whether the sheet has to be filled, otherwise it is the first one of the ``formats`` on which there is room.
     """
     found = [one for form in formats if (one := largest_on(form, views, lines, origin)) is not None]
-    good = [one for one in found if one.drawn >= least_drawn and one.outlined >= one.least_outlined]
+    good = [
+        one
+        for one in found
+        if not filled or (one.drawn >= LEAST_DRAWN and one.outlined >= one.least_outlined)
+    ]
     best = next(iter(good or sorted(found, key=lambda one: -one.outlined)), None)
     if best is None or size * best.paper.scale < _LEAST_SEEN:
         raise InputError(_refusal(what, size, best))

@@ -10,7 +10,7 @@ from asperity.drive.types import TYPES
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint_file.stated_parts import StatedPart, StatedParts
-from asperity.show.arrangement import LEAST_DRAWN, Arrangement, Room, arrange
+from asperity.show.arrangement import Arrangement, Room, arrange
 from asperity.show.box import Box, around_all, box_of
 from asperity.show.cutting_line import LETTER, cutting_marks, cutting_path, is_bent
 from asperity.show.drive_notes import drive_lines, load_lines
@@ -22,10 +22,12 @@ from asperity.show.paper import FORMATS, Paper
 from asperity.show.placed_dimensions import Dimensions, place_dimensions, room_of_dimensions
 from asperity.show.section_view import draw_section, drive_section
 from asperity.show.sheet import TITLE_HEIGHT, Circle, Dimension, Item, Line, Point, Sheet, Text
+from asperity.show.sheet_figure import text_width
 from asperity.show.taken import Taken
 from asperity.show.title_block import Title
 
 _BEYOND_AXES = 4.0  # of a view, with its axes [mm on paper]
+_LONG_LABEL = 45.0  # on a leader [mm on paper]
 _ROOM_OF_FORCES = 150.0  # width of the bodies that are drawn apart [mm on paper]
 
 
@@ -45,6 +47,11 @@ class _Contents(NamedTuple):
     def bodies(self) -> tuple[StatedPart, ...] | None:
         """What is stated of the bodies; None where nothing is."""
         return None if self.stated is None else self.stated.bodies
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the view stands alone, as a page of a report."""
+        return not self.section and not self.forces
 
     @property
     def letters(self) -> str:
@@ -131,31 +138,23 @@ def drive_sheet(
     )
 
 
-def _view(
-    contents: _Contents,
-) -> tuple[list[Item], Dimensions, list[Item], Arrangement]:
-    """The view with its dimensions and the names of its contacts, the sheet that has room for it, and what is listed.
+def _view(contents: _Contents) -> tuple[list[Item], Dimensions, list[Item], Arrangement]:
+    """The view with its dimensions and the names of its contacts, and the sheet that has room for it.
 
     What finds no room in the view is listed, and the list needs room itself.
     """
-    joint, letters = contents.joint, contents.letters
-    listed = frozenset(number for number, size in enumerate(contents.sizes) if not size.places)
+    joint, letters, front = contents.joint, contents.letters, int(contents.section)
     said = dict(enumerate(letters))
     outlined = _extent(drive_view(joint, 1.0))
+    arranged, listed = max(
+        ((_arranged(contents, listed, said), listed) for listed in _first_listed(contents)),
+        key=lambda each: each[0].paper.scale,
+    )
     for _ in range(2 * (len(contents.sizes) + len(contents.clearances)) + 2):
-        arranged = arrange(
-            functools.cache(functools.partial(_rooms, contents, listed)),
-            contents.lines(listed, said),
-            origin=int(contents.section),
-            what="the drive",
-            size=max(outlined.width, outlined.height),
-            formats=FORMATS if contents.section or contents.forces else FORMATS[1:],
-            least_drawn=LEAST_DRAWN if contents.section or contents.forces else 0.0,
-        )
         scale = arranged.paper.scale
         marks = cutting_marks(joint, scale) if contents.section else []
         view = [*drive_view(joint, scale), *marks]
-        room = arranged.paper.box(arranged.boxes[int(contents.section)])
+        room = arranged.paper.box(arranged.boxes[front])
         taken = Taken(scale, room)
         taken.add_areas(marks)
         names = write_contact_names(joint, view, taken)
@@ -174,7 +173,31 @@ def _view(
         if not placed.unplaced and placed.letters == said:
             break
         listed, said = listed | placed.unplaced, placed.letters
+        arranged = _arranged(contents, listed, said)
     return view, placed, names, arranged
+
+
+def _first_listed(contents: _Contents) -> list[frozenset[int]]:
+    """Sizes that may be listed from the start: those without a place; of a page of a report long ones too."""
+    nowhere = frozenset(number for number, size in enumerate(contents.sizes) if not size.places)
+    if not contents.is_plain:
+        return [nowhere]
+    long = (number for number, size in enumerate(contents.sizes) if text_width(size.label) > _LONG_LABEL)
+    return [nowhere, nowhere | frozenset(long)]
+
+
+def _arranged(contents: _Contents, listed: frozenset[int], said: dict[int, str]) -> Arrangement:
+    """The sheet for a drive with what is listed and the letters of its clearances."""
+    outlined = _extent(drive_view(contents.joint, 1.0))
+    return arrange(
+        functools.cache(functools.partial(_rooms, contents, listed)),
+        contents.lines(listed, said),
+        origin=int(contents.section),
+        what="the drive",
+        size=max(outlined.width, outlined.height),
+        formats=FORMATS[1:] if contents.is_plain else FORMATS,
+        filled=not contents.is_plain,
+    )
 
 
 def _rooms(contents: _Contents, listed: frozenset[int], scale: float) -> list[Room]:

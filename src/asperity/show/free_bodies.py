@@ -23,11 +23,13 @@ _FOR_LABELS = 24.0  # beside a row of bodies [mm]
 _AT_ARROW = (
     *((2.2, 0.0), (1.5, 2.0), (1.5, -2.0), (0.0, 2.5), (0.0, -2.5)),
     *((-4.0, 2.6), (-4.0, -2.6), (-7.0, 2.6), (-7.0, -2.6), (4.0, 0.0), (3.0, 3.0), (3.0, -3.0)),
+    *((along, across) for along in (5.5, 2.0, -2.0, -6.0) for across in (0.0, 4.5, -4.5, 6.0, -6.0)),
 )
 #: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
 _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
 _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 _ARROW = 10.0  # length of an arrow on paper [mm]
+_PER_TEXT = 10  # a text that a letter covers counts as so many lines
 _BESIDE_LETTER = 1.0  # to each side of a text [mm]
 #: Between two bodies on paper [mm].
 BODY_DISTANCE = 26.0
@@ -137,7 +139,8 @@ class _Labels:
             box = text_box(text, 1.0)
             crossed = sum(box.is_crossed_by(*arrow) for arrow in self._arrows)
             crossed += sum(_crosses(box, circle) for circle in self._outlines)
-            tried.append((crossed + sum(box.meets(other) for other in self._boxes), len(tried), text, box))
+            crossed += _PER_TEXT * sum(box.meets(other) for other in self._boxes)
+            tried.append((crossed, len(tried), text, box))
         _, _, text, box = min(tried, key=lambda each: each[:2])
         self.texts.append(text)
         self._boxes.append(box._replace(left=box.left - _BESIDE_LETTER, right=box.right + _BESIDE_LETTER))
