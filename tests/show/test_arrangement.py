@@ -77,6 +77,21 @@ def test_the_sheet_is_the_smallest_that_the_drawing_fills(size):
         assert other is None or other.drawn < LEAST_DRAWN or other.outlined < other.least_outlined
 
 
+def test_what_fills_no_sheet_has_one_of_its_size():
+    """A flat bar of 400 mm by 20 mm: not enlarged on A0."""
+
+    def bar(scale):
+        wide, high = 400.0 * scale, 20.0 * scale
+        return [
+            Room(-0.5 * wide - 10.0, 0.5 * wide + 10.0, -0.5 * high - 10.0, 0.5 * high + 10.0, (wide, high))
+        ]
+
+    found = arranged(bar, size=400.0)
+    assert found.paper.scale <= 1.0 or found.paper.width <= 420.0
+    shares = [one.outlined for form in FORMATS[:4] if (one := largest_on(form, bar, NOTES, 0))]
+    assert found.outlined == max(shares)
+
+
 def test_the_share_that_is_drawn_is_that_of_the_boxes():
     found = arranged(square(122.0))
     (view,) = found.boxes

@@ -19,6 +19,7 @@ _GAP = 4.0  # at least between two views, or a view and notes [mm]
 _NARROWEST = 64.0  # a column of notes [mm]
 _WIDEST = 130.0
 _WRAP = 0.96  # of the width of a column that its lines fill; pictures of few dots draw letters wider
+_LARGEST_ENLARGED = 420.0  # width of a sheet on which something is drawn larger than it is [mm]
 _WIDE_ENOUGH = 400.0  # of a sheet for a wide title block [mm]
 _LINES_BESIDE_TITLE = math.floor((BLOCK_HEIGHT - _INSET) / SPACING)
 #: Area of views with their dimensions, notes and title block over that of the sheet, which a sheet has at least if it
@@ -97,11 +98,18 @@ def arrange(
 ) -> Arrangement:
     """The smallest sheet on which a drawing is large, at the largest scale at which everything fits on it.
 
+    Sheets beyond A3 have no enlargements. Where no sheet is filled it is the one with the largest share of outlines.
+
     ``views`` from a scale to the rooms of the views, from left to right; ``lines`` of the notes; ``origin``: number of
     the view whose origin is that of the drawing; ``what`` is drawn, and its ``size`` [mm], for refusals; ``filled``:
     whether the sheet has to be filled, otherwise it is the first one of the ``formats`` on which there is room.
     """
-    found = [one for form in formats if (one := largest_on(form, views, lines, origin)) is not None]
+    found = [
+        one
+        for form in formats
+        if (one := largest_on(form, views, lines, origin)) is not None
+        and (form.width <= _LARGEST_ENLARGED or one.paper.scale <= 1.0)
+    ]
     good = [
         one
         for one in found
