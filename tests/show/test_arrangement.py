@@ -92,6 +92,13 @@ def test_what_fills_no_sheet_has_one_of_its_size():
     assert found.outlined == max(shares)
 
 
+def test_large_diagrams_of_forces_beside_a_small_drive_have_a_sheet():
+    """Forces of 201 mm by 238 mm beside a drive of 96 mm, for which A3 has no room and A2 would enlarge it."""
+    forces = Room(-100.5, 100.5, -119.0, 119.0, level=False)
+    found = arranged(lambda scale: [*square(96.0)(scale), forces], lines=NOTES * 4, size=96.0)
+    assert found.paper.scale <= 1.0 or found.paper.width <= 420.0
+
+
 def test_the_share_that_is_drawn_is_that_of_the_boxes():
     found = arranged(square(122.0))
     (view,) = found.boxes

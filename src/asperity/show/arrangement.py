@@ -104,12 +104,7 @@ def arrange(
     the view whose origin is that of the drawing; ``what`` is drawn, and its ``size`` [mm], for refusals; ``filled``:
     whether the sheet has to be filled, otherwise it is the first one of the ``formats`` on which there is room.
     """
-    found = [
-        one
-        for form in formats
-        if (one := largest_on(form, views, lines, origin)) is not None
-        and (form.width <= _LARGEST_ENLARGED or one.paper.scale <= 1.0)
-    ]
+    found = [one for form in formats if (one := largest_on(form, views, lines, origin)) is not None]
     good = [
         one
         for one in found
@@ -141,6 +136,8 @@ def largest_on(
 ) -> Arrangement | None:
     """The arrangement on a format at the largest scale that fits, one that fills it if there is one; or None."""
     for scale in SCALES:
+        if scale > 1.0 and form.width > _LARGEST_ENLARGED:
+            continue
         rooms = views(scale)
         tried = [_arrangement(form, scale, rooms, each, origin) for each in _arrangements(form, rooms, lines)]
         if tried:
