@@ -28,6 +28,7 @@ _AT_ARROW = (
 #: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
 _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
 _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
+_FAR_TURNS = (1.2, -1.2, 1.6, -1.6, 2.0, -2.0, 2.5, -2.5, 3.1)
 _ARROW = 10.0  # length of an arrow on paper [mm]
 _PER_TEXT = 10  # a text that a letter covers counts as so many lines
 _BESIDE_LETTER = 1.0  # to each side of a text [mm]
@@ -157,8 +158,9 @@ class _Labels:
         angle = math.atan2(direction[1], direction[0])
         free = [
             (at, align)
+            for turns in (_TURNS, _FAR_TURNS)
             for beyond in _DISTANCES
-            for turn in _TURNS
+            for turn in turns
             for at, align in _beside(lines, centre, radius + beyond, angle + turn)
             if self._is_free(_box(lines, at, align))
         ]
