@@ -3,11 +3,8 @@
 import { SAME, change } from "/headline.js";
 import { element, table } from "/numbers.js";
 
-const VERDICTS = { pass: ["pass", "✓ pass"], FAIL: ["fail", "✗ fail"], unknown: ["state", "? unknown"], outside: ["outside", "✗ outside"] };
-/** What a requirement concerns that says where the published contact law holds, not whether the joint does. */
-const OF_MODEL = "model";
-
-const FILLS = { FAIL: "bad", outside: "outside" };
+const VERDICTS = { pass: ["pass", "✓ pass"], FAIL: ["fail", "✗ fail"], unknown: ["state", "? unknown"], "out of range": ["outside", "out of range"] };
+const FILLS = { FAIL: "bad", "out of range": "outside" };
 
 /** Text for screen readers alone. */
 const hidden = (text) => element("span", { class: "visually-hidden" }, text);
@@ -70,15 +67,12 @@ export function pairs({ rows }) {
   return [element("dl", { class: "pairs" }, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))))];
 }
 
-/** The margins, last those that say only where the published contact law does not hold, and below them how to read them. */
+/** The margins, and below them how to read them. */
 export function marginsTable(blocks) {
   const [margins] = blocks.filter((block) => block.kind === "table");
-  const beyond = (row) => row[1] === OF_MODEL && row.at(-1) === "FAIL";
-  const order = [...margins.rows.keys()].sort((one, other) => beyond(margins.rows[one]) - beyond(margins.rows[other]));
-  const rows = order.map((at) => (beyond(margins.rows[at]) ? [...margins.rows[at].slice(0, -1), "outside"] : margins.rows[at]));
-  const made = tableBlock({ ...margins, rows, shares: order.map((at) => margins.shares[at]) }, undefined, margins.title);
+  const made = tableBlock(margins, undefined, margins.title);
   made[0].classList.add("margins");
-  return [...made, folded("How to read this table", [...elements(blocks.filter((block) => block !== margins)), element("p", { class: "note" }, "Here those requirements of the model that fail stand last, as outside.")])];
+  return [...made, folded("How to read this table", elements(blocks.filter((block) => block !== margins)))];
 }
 
 /** Explanations that fold. */
