@@ -20,15 +20,9 @@ function made(drawing, rings) {
 }
 
 /** What the arrows mean, or that there are none. */
-function keys(drawing, where, largest) {
-  if (!drawing.forces.length) return [" without forces, which are not known."];
-  return [
-    " with the ",
-    element("span", { class: "key normal" }, "→ normal"),
-    " and ",
-    element("span", { class: "key tangential" }, "→ tangential"),
-    ` forces on ${where}, to one scale (longest ${number(largest)} N).`,
-  ];
+function keys(drawing, largest) {
+  if (!drawing.forces.length) return ["Without forces, which are not known."];
+  return [element("span", { class: "key normal" }, "→ normal"), " and ", element("span", { class: "key tangential" }, "→ tangential"), ` forces; the longest is ${number(largest)} N`];
 }
 
 /** A box around points that grows with every one. */
@@ -67,11 +61,12 @@ export function driveDrawing(drawing, document_) {
   picture.append(...circles(drawing.rollers, reach), ...forces, ...section(drawing.section, reach, box), ...scaleBar(box, reach, 0.075 * reach));
   picture.setAttribute("viewBox", box.view(0.02 * reach));
   const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
+  const about = drawing.forces.length ? `${shownSectors(document_)} with the forces on the first body of each contact, to one scale.` : "";
   const interference = made(drawing, drawing.rings);
   return [
     element("div", { class: "drawings" }, picture),
-    element("p", { class: "note of-forces" }, shownSectors(document_), ...keys(drawing, "the first body of each contact", largest)),
-    element("details", { class: "more" }, element("summary", {}, "About this drawing"), element("p", { class: "note" }, `On the right the section along the axis, developed through the contacts.${thinner} ${interference}`)),
+    element("p", { class: "note of-forces" }, ...keys(drawing, largest)),
+    element("details", { class: "more" }, element("summary", {}, "About this drawing"), element("p", { class: "note" }, `${about} On the right is the section along the axis, developed through the contacts.${thinner} ${interference}`)),
   ];
 }
 
