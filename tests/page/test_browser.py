@@ -218,6 +218,22 @@ def test_a_slider_moves_the_number(page):
     assert card(page) == stiffness(load__preload=value)[0]
 
 
+def test_arrows_in_a_field_move_its_slider(page):
+    """Up and down by one step; what was typed is taken first."""
+    box = field(page, "load.preload")
+    box.focus()
+    do(page, lambda: box.press("ArrowUp"))
+    value = float(box.input_value().removesuffix(" N"))
+    assert 1000.0 < value < 1020.0
+    assert card(page) == stiffness(load__preload=value)[0]
+    do(page, lambda: box.press("ArrowDown"))
+    assert float(box.input_value().removesuffix(" N")) == pytest.approx(1000.0, rel=1e-2)
+    box.fill("1500 N")
+    do(page, lambda: box.press("ArrowUp"))
+    assert box.input_value() == "1500 N"
+    assert card(page) == stiffness(load__preload=1500.0)[0]
+
+
 def test_a_value_in_another_unit(page):
     write(page, "drive.ring_wall_thickness", "0.5 in")
     assert card(page) == stiffness(drive__ring_wall_thickness=0.5 * 25.4e-3)[0]

@@ -8,6 +8,7 @@ import { isNarrow } from "/panels.js";
 import { UnitPicker, withUnit } from "/units.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
+const STEP = { ArrowUp: 1, ArrowDown: -1 }; // of a slider, by the keys of its field
 const STEPS = 400;
 const BESIDE = 10; // letters of a field beside its slider; a longer text has a line of its own
 const BELOW = 16; // letters of a field below its slider; a longer text has the whole line
@@ -218,7 +219,12 @@ export class Controls {
     input.addEventListener("keydown", (event) => {
       if (event.key === "Enter") commit();
       if (event.key === "Escape") input.value = row.shown;
+      if (!(event.key in STEP) || slider.disabled) return;
+      event.preventDefault();
+      if (input.value.trim() !== row.shown.trim()) commit();
+      else this.step(slider, STEP[event.key]);
     });
+    input.addEventListener("keyup", (event) => event.key in STEP && this.changed(null));
     if (picker) picker.select.addEventListener("change", () => this.convert(row));
     back.addEventListener("click", () => {
       this.changed(path, null);
@@ -227,6 +233,12 @@ export class Controls {
     });
     this.rows.set(path, row);
     return node;
+  }
+
+  /** Move a slider by a step, from its field. */
+  step(slider, count) {
+    slider.stepUp(count);
+    slider.dispatchEvent(new Event("input"));
   }
 
   /** A value of a slider as text, in the unit that its field has. */
@@ -305,7 +317,7 @@ export class Controls {
         this.rescale(row, null);
       } else if (row.slider.disabled || entry.value < row.scale.low * (1 - 1e-9) || entry.value > row.scale.high * (1 + 1e-9)) {
         this.rescale(row, entry.value);
-      } else if (document.activeElement !== row.slider) {
+      } else if (document.activeElement !== row.slider && asked[row.path] === changes[row.path]) {
         row.slider.value = row.scale.place(entry.value);
       }
       row.slider.setAttribute("aria-valuetext", row.shown);

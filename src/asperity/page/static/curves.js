@@ -73,7 +73,7 @@ function pictures(answer, baseline) {
       limit,
       series: [...ghosts("assembly_Nm_per_rad", perArcmin), ...stiffness],
       point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
-      note: `Up to gross slip at standstill.${found.stiffness_bound ? ` Assembled: ${found.stiffness_bound}.` : ""}${above}`,
+      note: `Up to gross slip at standstill.${found.stiffness_bound ? ` Assembled (${found.stiffness_bound}).` : ""}${above}`,
     }),
     linePlot({
       title: `Wind-up, ${driven(found)} locked`,

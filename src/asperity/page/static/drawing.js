@@ -22,7 +22,7 @@ function made(drawing, rings) {
 /** What the arrows mean, or that there are none. */
 function keys(drawing, largest) {
   if (!drawing.forces.length) return ["Without forces, which are not known."];
-  return [element("span", { class: "key normal" }, "→ normal"), " and ", element("span", { class: "key tangential" }, "→ tangential"), ` forces; the longest is ${number(largest)} N`];
+  return [element("span", { class: "key normal" }, "→ normal"), " and ", element("span", { class: "key tangential" }, "→ tangential"), ` forces up to ${number(largest)} N`];
 }
 
 /** A box around points that grows with every one. */

@@ -111,7 +111,7 @@ async function askFirst() {
 
 async function askOnce(state) {
   const slow = setTimeout(() => say("Computing…"), SLOW);
-  const slower = setTimeout(() => say("Computing. The first time on this computer, the programs are compiled: up to a minute."), 3000);
+  const slower = setTimeout(() => say("Still computing. Crowns, skew and unlike branches take some seconds."), 3000);
   try {
     const [ok, found] = await post("/api/joint", JSON.stringify(state));
     banner("");
