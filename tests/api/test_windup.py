@@ -58,7 +58,7 @@ def test_frame_figure_and_text(curve):
     assert frame["torque_Nm"].iloc[-1] == 4.0
     assert frame["loading_angle_rad"].iloc[-1] == curve["windup"].si
     assert [curve[f"K{n}"].si for n in (1, 2, 3)] == list(curve.curve.stage_stiffness)
-    assert "assembly stiffness" in curve.plot().get_suptitle()
+    assert ", assembled" in curve.plot().get_suptitle()
     assert "largest torque of the curve" in repr(curve)
 
 

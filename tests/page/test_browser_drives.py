@@ -113,7 +113,7 @@ def test_the_free_chart_offers_the_results_of_the_drive(page):
     assert not any("pwr" in each for each in offered)
     assert page.locator("#chart-over").input_value() == "load.interference"
     title = page.locator("#chart-figure figcaption").inner_text()
-    assert title == "Torsional stiffness at the output, assembly (upper bound: pins rigid) over interference"
+    assert title == "Torsional stiffness at the output, assembled (upper bound: pins rigid) over interference"
 
 
 @pytest.mark.long

@@ -149,7 +149,7 @@ def test_a_design_is_shown_before_and_after_with_its_limits_and_files(designed):
     said = [block.text for block in of(Paragraph, blocks)]
     assert said[0] == "What d.toml asks for:"
     assert said[1].startswith(
-        "largest torsional stiffness at the output, assembly (upper bound: pins rigid), worst case of 2 torques: "
+        "largest torsional stiffness at the output, assembled (upper bound: pins rigid), worst case of 2 torques: "
     )
     assert said[1].endswith("30000 N·m/rad in joint.toml, 35000 N·m/rad as designed.")
     assert said[2] == "All limits are met."

@@ -36,7 +36,7 @@ def test_the_goal_before_and_as_designed(found):
     assert goal.text == (
         f"{found.problem.goal}, worst case of 2 torques: 30000 N·m/rad in joint.toml, 35000 N·m/rad as designed."
     )
-    assert goal.text.startswith("largest torsional stiffness at the output, assembly")
+    assert goal.text.startswith("largest torsional stiffness at the output, assembled")
     assert met == Paragraph("All limits are met.", strong=True, passed=True)
 
 

@@ -33,7 +33,7 @@ def test_figures_of_the_loop(wound, document):
     assert amount(shown["energy lost per cycle"]) == four(float(curve.dissipated_energy))
     assert shown["torque capacity, standing"] == "13.16 N·m: contact sp slips (both directions)"
     assert sentences(windup(document))[0] == (
-        "Wind-up at the output, input locked, assembly stiffness (upper bound: pins rigid)."
+        "Wind-up at the output, input locked, assembled (upper bound: pins rigid)."
     )
 
 
@@ -57,7 +57,7 @@ def test_without_a_bound_the_stages_have_none(document):
     plain = document | {"stiffness_bound": None, "of_own_branches": True}
     blocks = list(windup(plain))
     assert "Stages of the loading curve (secant stiffness)" in tables(blocks)
-    assert sentences(blocks)[0].endswith("assembly stiffness, of its own branches.")
+    assert sentences(blocks)[0].endswith("assembled, of its own branches.")
 
 
 def test_both_directions_where_they_differ(document):

@@ -13,6 +13,7 @@ from asperity.errors import InputError
 from asperity.joint.pin_bound import bounded
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.results import LEVELS, known_result
+from asperity.results.stiffness_rows import LEVEL_NAMES
 from asperity.results.windup_document import (
     examined_windup,
     rolling_columns,
@@ -192,7 +193,7 @@ class JointWindup(Shown):
                 self.curve,
                 self.onset,
                 title=f"Wind-up of {plain_title(self.joint.source)}, "
-                + bounded(f"{self.level} stiffness", self.document["stiffness_bound"]),
+                + bounded(LEVEL_NAMES[self.level], self.document["stiffness_bound"]),
                 capacities=windup_capacities(self.document),
             )
         )

@@ -19,7 +19,7 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
     (
         "assembly",
         "assembly.stiffness",
-        "assembly",
+        "assembled",
         "the fullest model: asperities, bodies, rollers free to move, structure",
     ),
     (
@@ -30,6 +30,8 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
     ),
     ("published", "published", "asperities alone", "the level of Zou et al. 2025: an upper bound"),
 )
+#: What each level is called.
+LEVEL_NAMES: dict[StiffnessLevel, str] = {level: words for level, _, words, _ in _LEVELS}
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
 
 
@@ -106,7 +108,7 @@ ROWS = (
     *(row for level in _LEVELS for row in _rows(*level)),
     Result(
         "held_cam_output_stiffness",
-        "torsional stiffness at the output, assembly with its loading cam held",
+        "torsional stiffness at the output, assembled, loading cam held",
         Dimension.TORSIONAL_STIFFNESS,
         Dimension.TORSIONAL_STIFFNESS.si_unit,
         lambda solved: held_cam_stiffness(solved.result.assembly),

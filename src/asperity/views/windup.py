@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from asperity.joint.pin_bound import bounded
 from asperity.joint.torque_limits import first_slip_words
+from asperity.results.stiffness_rows import LEVEL_NAMES
 from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.joint import capacity_text
@@ -16,8 +17,8 @@ from asperity.views.numbers import number, number_in, percent, quantity, words
 def windup(document: Document) -> Iterator[Block]:
     """The figures of a document of a wind-up, its stages, and the joint that turns under the largest torque."""
     whose = ", of its own branches" if document["of_own_branches"] else ""
-    stiffness = bounded(f"{document['level']} stiffness{whose}", document["stiffness_bound"])
-    yield Paragraph(f"Wind-up at the output, input locked, {stiffness}.", strong=True)
+    level = bounded(f"{LEVEL_NAMES[document['level']]}{whose}", document["stiffness_bound"])
+    yield Paragraph(f"Wind-up at the output, input locked, {level}.", strong=True)
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     yield _figures(document, same)
     yield _stages(document, same)

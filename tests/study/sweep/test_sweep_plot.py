@@ -137,7 +137,7 @@ def test_axes_have_the_words_of_the_drive_that_was_swept():
     data = swept({name: np.array([1.0, 2.0, 3.0])}, f"{TORQUE}=0 N*m:2 N*m:3", drive="planetary")
     (axes,) = sweep_figure(data, result=name).axes
     assert (
-        axes.get_ylabel() == "torsional stiffness at the input, assembly (upper bound: pins rigid) [N·m/rad]"
+        axes.get_ylabel() == "torsional stiffness at the input, assembled (upper bound: pins rigid) [N·m/rad]"
     )
     slip = swept({"slip_ratio": np.ones((2, 3))}, f"{TORQUE}=0 N*m:2 N*m:3", drive="planetary")
     assert set(lines(sweep_figure(slip).axes[0])) == {"sp", "pr"}
