@@ -15,6 +15,7 @@ from pydantic.fields import FieldInfo
 
 from asperity.contact.laws.registry import LAWS
 from asperity.joint_file.case_types import CASES, DefaultCase
+from asperity.joint_file.fluid_entries import CurveEntry, Fixed, RigEntry, TractionRow
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import Section, meaning
 
@@ -106,6 +107,8 @@ def _key(field: FieldInfo) -> Key | None:
     for part in (*field.metadata, *_parts(field.annotation)):
         if isinstance(part, Key):
             return part
+        if isinstance(part, Fixed):
+            return part.key
     return None
 
 
@@ -134,6 +137,15 @@ def _allowed(field: FieldInfo) -> tuple[str, str]:
 FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing", "carrier_bearing")
 
 
+#: Sections whose headers are not their names.
+HEADERS = {
+    "duty": "[[duty]]",
+    "branch": "[[branch]]",
+    "materials": "[materials.NAME]",
+    "fluids": "[fluids.NAME]",
+}
+
+
 def _sections() -> Iterator[tuple[str, type[Section], str]]:
     """Header in the file, model and description of every section; that of the bodies has no keys of its own."""
     for name in (
@@ -142,10 +154,16 @@ def _sections() -> Iterator[tuple[str, type[Section], str]]:
     ):
         field = DefaultCase.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
-        header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
-            name, f"[{name}]"
-        )
-        yield header, model, meaning(DefaultCase, name)
+        yield HEADERS.get(name, f"[{name}]"), model, meaning(DefaultCase, name)
+        if name == "fluids":
+            yield from (
+                (f"[{'[' * lists}fluids.NAME.{key}]{']' * lists}", below, meaning(model, key))
+                for key, below, lists in (
+                    ("traction_table", TractionRow, 1),
+                    ("traction_curve", CurveEntry, 1),
+                    ("rig", RigEntry, 0),
+                )
+            )
 
 
 #: The other types of drives.

@@ -49,6 +49,7 @@ class Dimension(Enum):
     PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0), "kPa GPa bar psi ksi")
     HARDNESS = ("a hardness", "Pa", "1260 MPa", (-1, 1, -2, 0, 0), "GPa HV")
     VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0), "cP")
+    KINEMATIC_VISCOSITY = ("a kinematic viscosity", "m^2/s", "100 mm^2/s", (2, 0, -1, 0, 0), "cSt")
     INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0), "1/MPa")
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0, 0))
     STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0, 0), "N/um kN/mm lbf/in")

@@ -58,3 +58,14 @@ def test_numbers_of_a_library_file_are_checked_as_those_of_a_joint_file(call, tm
     assert (outcome.code, outcome.out) == (2, "")
     assert "mine.toml: library entry bronze: materials.bronze.youngs_modulus: -5" in outcome.err
     assert "is not allowed; it must be" in outcome.err
+
+
+def test_oils_with_what_they_are_known_by(call):
+    """34.4 mm²/s at 40 °C of 0.887 g/cm³ by Gupta's tables of Santotrac 50; 5P4E by its limiting traction alone."""
+    (oil,) = json.loads(call("materials", "santotrac 50", "--json").out)["fluids"].values()
+    assert oil["properties"]["viscosity_40_Pa_s"] == pytest.approx(0.0305, rel=2e-3)
+    assert oil["properties"]["viscosity_100_Pa_s"] == pytest.approx(4.71e-3, rel=2e-3)
+    assert "Gupta" in oil["reference"]
+    told = call("materials", "5P4E").out
+    assert "0.088" in told
+    assert "Materials" not in told

@@ -1,5 +1,6 @@
 """The formulas of contacts by NumPy and within programs of JAX: equal numbers and slopes."""
 
+import functools
 import inspect
 
 import numpy as np
@@ -15,11 +16,14 @@ from asperity.contact import (
     crowned_shear,
     exponential,
     film_thickness,
+    film_traction,
     flash_temperature,
+    fluid,
     fractal,
     hertz_line,
     interface,
     load_sharing,
+    measured_traction,
     persson_2007,
     population,
     roller_pairs,
@@ -235,6 +239,38 @@ def creep_of_oiled_contacts(contact, inlet, layer_factor, share):
     return {"shares": shares, "capacity": capacity.traction, "creepage": creepage}
 
 
+def measured_numbers():
+    """Contacts whose oil has curves of two temperatures, with what is a number of them, and values over pressure."""
+    creepage = np.geomspace(1e-4, 2e-2, 7)
+    curves = tuple(
+        measured_traction.traction_curve(creepage=creepage, coefficient=most * creepage / (creepage + 1e-3))
+        for most in (0.06, 0.08)
+    )
+    at = measured_traction.TractionConditions
+    over = functools.partial(measured_traction.TractionTable, at(pressures=(0.5e9, 1.5e9), speeds=(0.1, 1.0)))
+    sheet = fluid.DataSheetTraction(over((0.08, 0.07, 0.1, 0.09)), over((200.0, 180.0, 150.0, 140.0)))
+    return {
+        "contact": oiled_contact("M100", 50.0, np.array([0.02, 0.4, 4.0]), 2e-7).contact,
+        "measured": measured_traction.MeasuredTraction(at(temperatures=(300.0, 340.0)), curves),
+        "sheet": sheet,
+    }
+
+
+def creep_of_measured_contacts(contact, measured, sheet):
+    tractions = [
+        creep_law.traction_at_creepage(
+            contact=film_traction.MixedContact(**vars(contact) | {"fluid": oil}),
+            creepage=np.array([3e-4, 2e-3, 1e-2]),
+            layer_factor=np.array([1.1, 1.2, 1.3]),
+        )
+        for oil in (
+            fluid.Fluid(contact.fluid.viscosity, each, contact.fluid.conductivity)
+            for each in (measured, sheet)
+        )
+    ]
+    return [each.traction for each in tractions]
+
+
 def entry(function, *borders, own=None, **fixed):
     """A formula by its name: its numbers from the ranges, or from its own ones, and rows at its borders."""
     names = getattr(function, "takes", None)
@@ -388,6 +424,7 @@ FORMULAS = dict(
             rms_slope=VARIANCE[-1] ** 0.5,
         ),
         *(arrays(creep_of_oiled_contacts, **oiled_numbers(oil)) for oil in ("M100",)),
+        arrays(creep_of_measured_contacts, **measured_numbers()),
         arrays(tilted_line.logarithmic_drop, even_half_width=1e-4, contact_length=10e-3),
         arrays(
             tilted_line.profiled_line,

@@ -20,7 +20,7 @@ from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRis
 
 #: 0.1 Pa·s without pressure, and e times as much for every 50 MPa.
 BARUS = Viscosity(ExponentialViscosity(0.1, 0.0, 0.0), RationalPressureRise(50e6, 0.0, 0.0, 0.0))
-FILM = Film(np.array([200e6, 400e6]), np.array(500e6), 0.2e-6, 0.01, 333.15)
+FILM = Film(np.array([200e6, 400e6]), np.array(500e6), 0.2e-6, 0.01, 333.15, 333.15, 1.0)
 
 
 def test_limiting_stress_of_santotrac():
@@ -84,7 +84,7 @@ def test_the_lower_of_two_stresses():
 
 def test_how_a_film_yields():
     """pi/4 E* h/(a G) of the shear modulus; E*/(p0 m) of a data sheet: 100/(2 · 200) there."""
-    body = FilmBody(0.3e-6, 120e-6, 2e9, 100e9)
+    body = FilmBody(0.3e-6, 120e-6, 2e9, 100e9, 333.15, 1.0)
     sheared = RheologicalTraction(LimitingTraction(0.1), 0.5e9).elastic_yield(body)
     assert sheared == pytest.approx(0.25 * math.pi * 100e9 * 0.3e-6 / (120e-6 * 0.5e9), rel=1e-14)
     assert DataSheetTraction(0.09, 200.0).elastic_yield(body) == pytest.approx(0.25, rel=1e-14)

@@ -123,7 +123,11 @@ def test_a_file_that_says_nothing_of_rolling():
         ("share = 0.75", 'share = "0.75 +- 0.1"', "duty.2.share: a share of the time has no tolerance"),
         ('sun_speed = "0 rpm"', 'sun_speed = "-5 rpm"', "duty.2.sun_speed"),
         ("reliability = 0.95", "reliability = 1", "rolling.reliability"),
-        ('viscosity = "30.5 mPa*s"', "", "lubrication.viscosity: this key is missing: a viscosity"),
+        (
+            'viscosity = "30.5 mPa*s"',
+            "",
+            "lubrication.viscosity: this key is missing, or fluid in its place: a viscosity",
+        ),
         ("-1 mrad", "1 rad", "rolling.skew.wro"),
     ],
 )

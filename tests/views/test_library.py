@@ -2,9 +2,11 @@
 
 from dataclasses import replace
 
+import pytest
 from shown_blocks import cells, sentences, tables
 
 from asperity.library import read_finishes, read_materials
+from asperity.library.fluids import read_fluids
 from asperity.views.library import library
 
 
@@ -40,3 +42,13 @@ def test_a_hardness_by_its_factor():
     blocks = list(library([soft], []))
     assert tables(blocks)["Materials"].rows[0][-1] == "2.8 x yield"
     assert sentences(blocks)[0].startswith("soft: ")
+
+
+def test_an_oil_with_and_one_without_a_viscosity():
+    """Of 5P4E the limiting traction alone is known."""
+    fluids = read_fluids()
+    table, *sources = library([], [], [fluids["M100"], fluids["5P4E"]])
+    assert table.rows[0][0] == "M100"
+    assert float(table.rows[0][1]) == pytest.approx(76.91, rel=2e-3)
+    assert list(table.rows[1]) == ["5P4E", "–", "–", "–", "0.088"]
+    assert len(sources) == 2

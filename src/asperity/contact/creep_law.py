@@ -89,6 +89,8 @@ def film_yield(contact: MixedContact) -> Array:
         half_width=contact.half_width,
         peak_pressure=contact.peak_pressure,
         contact_modulus=contact.contact_modulus,
+        oil_temperature=contact.oil_temperature,
+        rolling_speed=contact.rolling_speed,
     )
     return contact.traction.elastic_yield(body)
 

@@ -246,6 +246,8 @@ def local_stress(
         thickness=contact.film_thickness,
         slip_speed=slip_speed,
         temperature=contact.oil_temperature + warming,
+        oil_temperature=contact.oil_temperature,
+        rolling_speed=contact.rolling_speed,
     )
     film_stress, film_slope = contact.traction.stress(contact.fluid.viscosity, film)
     film_stress = xp.where(carries, film_stress, 0.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+from asperity.contact.measured_traction import MeasuredTraction, TractionTable
 from asperity.contact.viscosity import Viscosity
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module, static
@@ -27,8 +28,10 @@ class Film(Module):
         Central thickness [m].
     slip_speed : Real
         Difference of the surface speeds, positive [m/s].
-    temperature : Real
-        Of the film [K].
+    temperature, oil_temperature : Real
+        Of the film, and of the oil before its slip has warmed it [K].
+    rolling_speed : Real
+        Mean speed of the surfaces [m/s].
     """
 
     pressure: Real
@@ -36,6 +39,8 @@ class Film(Module):
     thickness: Real
     slip_speed: Real
     temperature: Real
+    oil_temperature: Real
+    rolling_speed: Real
 
 
 class FilmBody(Module):
@@ -47,12 +52,16 @@ class FilmBody(Module):
         Central thickness of the film [m].
     half_width, peak_pressure, contact_modulus : Real
         Of the contact under its whole load: a [m], p_0 and E* [Pa], all of shape (contacts, ...).
+    oil_temperature, rolling_speed : Real
+        Of the oil [K], and mean speed of the surfaces [m/s].
     """
 
     thickness: Real
     half_width: Real
     peak_pressure: Real
     contact_modulus: Real
+    oil_temperature: Real
+    rolling_speed: Real
 
 
 class LimitingTraction(Module):
@@ -139,9 +148,9 @@ class DataSheetTraction(Module):
 
     Parameters
     ----------
-    maximum_traction : Real
+    maximum_traction : Real or TractionTable
         Lambda, the largest traction coefficient [-].
-    film_slope : Real
+    film_slope : Real or TractionTable
         m_F, slope of the traction coefficient over the creepage of the film alone, its bodies' part taken off [-].
 
     References
@@ -150,21 +159,29 @@ class DataSheetTraction(Module):
     :doc:`/equations`.
     """
 
-    maximum_traction: Real
-    film_slope: Real
+    maximum_traction: Real | TractionTable
+    film_slope: Real | TractionTable
 
     def stress(self, viscosity: Viscosity, film: Film) -> tuple[Array, Array]:
         """Shear stress at the places [Pa], and the slope of its logarithm over that of the slip [-], which is 0."""
-        stress = xp.asarray(self.maximum_traction * film.pressure) + 0.0 * film.slip_speed
+        largest = _sheet_value(self.maximum_traction, film)
+        stress = xp.asarray(largest * film.pressure) + 0.0 * film.slip_speed
         return stress, 0.0 * stress
 
     def elastic_yield(self, body: FilmBody) -> Array:
         r"""Creepage that the elastic film adds over that of the bodies [-]."""
-        return xp.asarray(body.contact_modulus / (body.peak_pressure * self.film_slope))
+        return xp.asarray(body.contact_modulus / (body.peak_pressure * _sheet_value(self.film_slope, body)))
+
+
+def _sheet_value(stated: Real | TractionTable, contact: Film | FilmBody) -> Real:
+    """A number of a data sheet under the conditions of a contact [-]."""
+    if isinstance(stated, TractionTable):
+        return stated.at(contact.peak_pressure, contact.oil_temperature, contact.rolling_speed)
+    return stated
 
 
 #: What a film does when it is sheared.
-FilmTraction = RheologicalTraction | DataSheetTraction
+FilmTraction = RheologicalTraction | DataSheetTraction | MeasuredTraction
 
 
 class Fluid(Module):

@@ -13,6 +13,9 @@ from asperity.types import Array, Real
 #: Roelands's pressure [1/Pa] and the logarithm of his viscosity of 6.315e-5 Pa s, with the sign changed.
 _ROELANDS_COMPRESSION, _ROELANDS_LOGARITHM = 5.1e-9, 9.67
 
+#: What Walther's equation adds to a kinematic viscosity above 2 mm^2/s [mm^2/s].
+_WALTHER_OFFSET = 0.7
+
 #: Nodes between no pressure and the peak, at which the reciprocal viscosity is integrated.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 
@@ -80,6 +83,46 @@ class WaltherViscosity(Module):
         return doubly
 
 
+def walther_viscosity(*, viscosity_40: Real, viscosity_100: Real, density: Real) -> WaltherViscosity:
+    r"""Walther's equation through the viscosities at 40 and 100 degrees Celsius.
+
+    .. math:: B = \frac{\lg\lg Z_{40} - \lg\lg Z_{100}}{\lg T_{100} - \lg T_{40}}, \qquad
+              A = \lg\lg Z_{40} + B \lg T_{40}, \qquad Z = \nu/(1\,\mathrm{mm^2/s}) + 0.7
+
+    Parameters
+    ----------
+    viscosity_40, viscosity_100 : Real
+        Kinematic viscosities at 313.15 K and 373.15 K, the first one above the second [m^2/s].
+    density : Real
+        Density, taken to be the same at all temperatures [kg/m^3].
+
+    Returns
+    -------
+    WaltherViscosity
+        Of the oil; 0.7 holds for viscosities above 2 mm^2/s.
+
+    References
+    ----------
+    ASTM D341; equation (F1) of :doc:`/equations`.
+
+    Examples
+    --------
+    >>> oil = walther_viscosity(viscosity_40=100e-6, viscosity_100=11e-6, density=880.0)
+    >>> round(float(oil.at(313.15)), 9), round(float(oil.at(373.15)), 9)
+    (0.088, 0.00968)
+    """
+    cold, warm = 313.15, 373.15
+    first, second = (_twice(1e6 * viscosity + _WALTHER_OFFSET) for viscosity in (viscosity_40, viscosity_100))
+    slope = (first - second) / (math.log10(warm) - math.log10(cold))
+    intercept = first + slope * math.log10(cold)
+    return WaltherViscosity(intercept, slope, _WALTHER_OFFSET, density, 0.0, cold)
+
+
+def _twice(value: Real) -> Array:
+    """The common logarithm of the common logarithm."""
+    return xp.log(xp.log(xp.asarray(value)) / math.log(10.0)) / math.log(10.0)
+
+
 class RationalPressureRise(Module):
     r"""Rise with pressure, :math:`\ln(\eta/\eta_0) = p/(A + B p)`, :math:`A = a_1 + a_2 T`, :math:`B = b_1 + b_2 T`.
 
@@ -127,9 +170,41 @@ class RoelandsPressureRise(Module):
     def logarithm(self, pressure: Real, temperature: Real, viscosity: Real) -> Array:
         """ln(eta/eta_0) at a pressure [Pa] and a temperature [K], of a viscosity eta_0 without pressure [Pa·s]."""
         alpha = self.coefficient * xp.exp(-self.fall * (temperature - self.reference_temperature))
-        height = xp.log(viscosity) + _ROELANDS_LOGARITHM
-        exponent = alpha / (_ROELANDS_COMPRESSION * height)
-        return height * xp.expm1(exponent * xp.log1p(_ROELANDS_COMPRESSION * pressure))
+        return _roelands(pressure, alpha, viscosity)
+
+
+class EstimatedPressureRise(Module):
+    r"""Rise with pressure after Roelands, for a pressure coefficient that follows from the viscosity without pressure.
+
+    .. math:: \alpha = k\,\left(\eta_0 / 1\,\mathrm{Pa\,s}\right)^s
+
+    Parameters
+    ----------
+    scale, exponent : Real
+        k [1/Pa] and s [-].
+
+    Notes
+    -----
+    ANSI/AGMA 925-A03 gives 10.471e-9 1/Pa and 0.1348 for the viscosity of mineral oils in mPa·s.
+    """
+
+    scale: Real
+    exponent: Real
+
+    def logarithm(self, pressure: Real, temperature: Real, viscosity: Real) -> Array:
+        """ln(eta/eta_0) at a pressure [Pa] of a viscosity eta_0 without pressure [Pa·s]."""
+        return _roelands(pressure, self.scale * xp.asarray(viscosity) ** self.exponent, viscosity)
+
+
+#: Pressure coefficient of paraffinic mineral oils by their viscosity, ANSI/AGMA 925-A03.
+MINERAL_OIL_RISE = EstimatedPressureRise(10.471e-9 * 1000.0**0.1348, 0.1348)
+
+
+def _roelands(pressure: Real, coefficient: Real, viscosity: Real) -> Array:
+    """ln(eta/eta_0) by Roelands's law of a pressure coefficient [1/Pa]."""
+    height = xp.log(viscosity) + _ROELANDS_LOGARITHM
+    exponent = coefficient / (_ROELANDS_COMPRESSION * height)
+    return height * xp.expm1(exponent * xp.log1p(_ROELANDS_COMPRESSION * pressure))
 
 
 class Viscosity(Module):
@@ -149,7 +224,7 @@ class Viscosity(Module):
     """
 
     without_pressure: ExponentialViscosity | WaltherViscosity
-    pressure_rise: RationalPressureRise | RoelandsPressureRise
+    pressure_rise: RationalPressureRise | RoelandsPressureRise | EstimatedPressureRise
 
     def base(self, temperature: Real) -> Array:
         """Viscosity eta_0 without pressure at a temperature [K], in Pa·s."""

@@ -19,6 +19,7 @@ from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.solve import Solution
 from asperity.joint.temperature_limits import TemperatureLimit
+from asperity.rolling.conditions import ZERO_CELSIUS
 from asperity.types import Array, Document, Real
 
 
@@ -70,14 +71,15 @@ def contact_fit(
 
 
 def at_temperature(joint: Joint, temperature: float) -> Joint:
-    """The same joint, of NumPy's numbers, at another working temperature, its housing too."""
+    """The same joint, of NumPy's numbers, at another working temperature [degC], its housing and its oil too."""
     fit, housing = joint.fit, joint.housing
     if fit is not None:
         fit = dataclasses.replace(fit, working_temperature=temperature)
     if housing is not None and housing.assembly_temperature is not None:
         rise = temperature - housing.assembly_temperature
         housing = dataclasses.replace(housing, temperature_rise=rise)
-    heated = dataclasses.replace(joint, fit=fit, housing=housing)
+    rolling = joint.rolling.with_oil_at(temperature + ZERO_CELSIUS)
+    heated = dataclasses.replace(joint, fit=fit, housing=housing, rolling=rolling)
     return as_numbers(heated)
 
 

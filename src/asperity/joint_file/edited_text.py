@@ -13,6 +13,7 @@ from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
 from asperity.errors import one_line
+from asperity.joint_file.fluid_entries import FluidEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.old_comments import without_old_comments
 from asperity.joint_file.open_radius import radii_of
@@ -20,6 +21,7 @@ from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_case
 from asperity.joint_file.section import keys_by_path, leaves
+from asperity.joint_file.sections import BoundaryPoint
 from asperity.joint_file.si_tables import (
     DEPTH,
     MEASURED,
@@ -124,6 +126,9 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
                 entry.remove(key)
             for key, stated in _texts(case.materials[name]).items():
                 _put(entry, key, stated)
+    for name, oil in (case.fluids or {}).items():
+        if any(curve.file for curve in oil.traction_curve or ()):
+            _put(document["fluids"][name], "traction_curve", _inline_curves(oil))
     surfaces, texts = document["surface"], _texts(case.surface)
     for path, name in _surface_of(case).get("surface", {}).items():
         surfaces[path], texts = name, {}
@@ -151,6 +156,20 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
     set_texts(document, written)
     set_words(document, words)
     return tomlkit.dumps(document)
+
+
+def _inline_curves(oil: FluidEntry) -> list[Document]:
+    """Curves of an oil with their points, in place of the names of their files, and with their conditions."""
+    units = {"pressure": "Pa", "temperature": "degC", "speed": "m/s"}
+    return [
+        {"points": [list(point) for point in curve.points or ()]}
+        | {
+            name: f"{getattr(curve, name)!r} {unit}"
+            for name, unit in units.items()
+            if getattr(curve, name) is not None
+        }
+        for curve in oil.traction_curve or ()
+    ]
 
 
 def _surface_of(case: Case) -> Document:
@@ -256,6 +275,9 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
         and steps[-1] not in table
     ):
         table.pop("ratio", None)  # which leaves this radius open
+    if isinstance(table, list):  # the friction at a speed, [speed, coefficient]
+        table[list(BoundaryPoint.model_fields).index(steps[-1])] = value
+        return
     _put(table, steps[-1], value)
     for other in counterparts(steps[-1]):
         if other in table:

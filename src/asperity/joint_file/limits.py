@@ -90,7 +90,33 @@ RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper
 REQUIRED_LIFE = Key(Dimension.TIME, 0.0, 1e9, "h", open_lower=True, exact=True, example="20000 h")
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", open_lower=True, example="20 1/GPa")
+SUPPLY = Key(
+    Dimension.DIMENSIONLESS,
+    0.0,
+    1.0,
+    open_lower=True,
+    example="0.5",
+    hint="it is a share, 1 for a flooded inlet",
+)
+CREEP_LIMIT = Key(Dimension.DIMENSIONLESS, 1e-4, 1.0, example="0.02")
+SLIP_SPEED = Key(Dimension.SPEED, 1e-9, 1e3, "m/s", example="0.01 m/s")
 ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
+KINEMATIC_VISCOSITY = Key(Dimension.KINEMATIC_VISCOSITY, 1.0, 1e5, "mm^2/s", example="34 mm^2/s")
+OIL_DENSITY = Key(Dimension.DENSITY, 100.0, 1e4, "kg/m^3", example="880 kg/m^3")
+# Of the oils of publications 0.035 to 0.1; a table of a data sheet may print 4.7 for 4.7 %.
+LIMITING_TRACTION = Key(
+    Dimension.DIMENSIONLESS, 0.01, 0.2, example="0.047", hint="it is a share of the pressure, not %"
+)
+MAXIMUM_TRACTION = Key(
+    Dimension.DIMENSIONLESS, 0.01, 0.2, example="0.09", hint="it is a share of the load, not %"
+)
+TRACTION_SLOPE = Key(Dimension.DIMENSIONLESS, 0.1, 1e4, example="55")
+SHEAR_MODULUS = Key(Dimension.PRESSURE, 1e-3, 100.0, "GPa", example="0.5 GPa")
+OIL_CONDUCTIVITY = Key(Dimension.THERMAL_CONDUCTIVITY, 0.01, 10.0, "W/m/K", example="0.14 W/m/K")
+PEAK_PRESSURE = Key(Dimension.PRESSURE, 1e-3, 100.0, "GPa", example="1.5 GPa")
+ROLLING_SPEED = Key(Dimension.SPEED, 1e-6, 1e3, "m/s", example="2 m/s")
+RIG_RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="20 mm")
+RIG_LOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N", example="2000 N")
 SHARE = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, example="0.4")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 

@@ -60,7 +60,10 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
     if kind == "literal_error":
         return f"{path}: {quoted(value)} is not one of {context['expected']}"
     if kind == "string_pattern_mismatch":
-        return f"{path}: the name of a material consists of letters, digits, '-' and '_', got {quoted(value)}"
+        what = "fluid" if parts[0] == "fluids" else "material"
+        return f"{path}: the name of a {what} consists of letters, digits, '-' and '_', got {quoted(value)}"
+    if kind == "string_type" and parts[0] == "lubrication":
+        return f"{path}: expected the name of a fluid, e.g. 'M100', got {quoted(value)}"
     if kind == "string_type":
         return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
     if kind == "tuple_type":
@@ -80,7 +83,7 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
 def _wanted(parts: Parts, model: type[BaseModel]) -> str:
     """What a missing key has to be, with an example."""
     generic = ".".join(
-        "*" if i == 1 and parts[0] in ("materials", "duty", "branch") else part
+        "*" if i == 1 and parts[0] in ("materials", "fluids", "duty", "branch") else part
         for i, part in enumerate(parts)
     )
     key = keys_by_path(model).get(generic)

@@ -19,6 +19,8 @@ from asperity.joint_file.drive_sections import (
     PartSkews,
     PartSurfaces,
 )
+from asperity.joint_file.fluid_entries import FluidEntry, FluidName
+from asperity.joint_file.lubricant import refuse_oil
 from asperity.joint_file.material_entries import (
     ContactLawName,
     MaterialEntry,
@@ -185,6 +187,8 @@ class Case(WholeFile):
     """Skew, hysteresis, reliability and required life of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
+    fluids: dict[FluidName, FluidEntry] | None = None
+    """Oils by name, for lubrication.fluid."""
     duty: Duty | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     dynamics: DynamicsEntry | None = None
@@ -332,6 +336,11 @@ class Case(WholeFile):
             materials=self.materials,
             without_housing="" if self.in_frame() else self.without_housing(),
         )
+        return self
+
+    @model_validator(mode="after")
+    def _known_oil(self) -> Self:
+        refuse_oil(self.lubrication, self.fluids or {}, temperature=self.temperature is not None)
         return self
 
     @model_validator(mode="after")

@@ -38,7 +38,7 @@ class Key:
     ``lower`` and ``upper`` are in ``unit``, which displays have too; ``open_lower`` and ``open_upper`` leave out the
     bound itself. ``integer``: only whole numbers are allowed. ``exact``: it has no tolerance, because somebody decides
     it. ``example``: what messages quote; if empty, the example of the dimension. ``reason``: why nothing below the
-    range is possible.
+    range is possible; ``hint``: what a number outside of it may be.
     """
 
     dimension: Dimension
@@ -51,6 +51,7 @@ class Key:
     exact: bool = False
     example: str = ""
     reason: str = ""
+    hint: str = ""
 
     @property
     def typical(self) -> str:
@@ -85,6 +86,7 @@ class Key:
         """Raise an ``InputError`` with the value [SI] and the allowed range unless the value is inside it."""
         if not self.admits(value_si):
             why = f": {self.reason}" if self.reason and from_si(value_si, self.unit) < self.lower else ""
+            why += f"; {self.hint}" if self.hint else ""
             raise InputError(
                 f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}{why}"
             )

@@ -14,6 +14,7 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.messages import explained
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import fill_in_radius, refuse_output_speed
+from asperity.joint_file.traction_curves import fill_in_curves
 from asperity.library import fill_in_materials
 from asperity.precision import note_once, use_compilation_cache, use_double_precision
 from asperity.reading import parse_toml, read_text
@@ -66,8 +67,9 @@ def case_from_tables(tables: Document, *, source: str, folder: Path | None = Non
     model = _model_of(tables.get("type", DEFAULT_TYPE), source)
     with_materials, refused = fill_in_materials(tables, folder=folder or Path())
     with_surfaces, refused_surfaces = fill_in_finishes(with_materials)
+    with_surfaces, refused_curves = fill_in_curves(with_surfaces, folder=folder or Path())
     filled, refused_ratio, radius = fill_in_radius(with_surfaces, model)
-    refused |= refused_surfaces | refused_ratio
+    refused |= refused_surfaces | refused_curves | refused_ratio
     try:
         case = model.model_validate(filled)
     except ValidationError as error:

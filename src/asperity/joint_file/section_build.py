@@ -11,6 +11,7 @@ from asperity.contact.laws.registry import LAWS
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
+from asperity.joint_file.lubricant import lubricant_of
 from asperity.joint_file.material_entries import OF_AVERAGE, ContactLawName
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
@@ -80,7 +81,9 @@ def rolling_conditions(values: Values) -> RollingConditions:
             for load in values.get("duty", {}).values()
         ),
     }
-    return dataclasses.replace(plain, **(same | other))
+    conditions = dataclasses.replace(plain, **(same | other), lubricant=lubricant_of(values))
+    oil = conditions.lubricant
+    return conditions if oil is None else conditions.with_oil_at(oil.temperature)
 
 
 def film_roughness(values: Values) -> tuple[Any, ...] | None:
@@ -88,7 +91,7 @@ def film_roughness(values: Values) -> tuple[Any, ...] | None:
     oil = values.get("lubrication", {})
     if "roughness" in oil:
         return (oil["roughness"],)
-    if "pressure_coefficient" not in oil:
+    if "pressure_coefficient" not in oil and "fluid" not in oil:
         return None
     surfaces = entries(values["surface"], contacts_of(values))
     if not all("roughness_average" in entry for entry in surfaces):

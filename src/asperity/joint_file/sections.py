@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
 from typing import Annotated, Literal, Self
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, StringConstraints, model_validator
 
-from asperity.errors import InputError
+from asperity.contact.film_thickness import FilmLaw
+from asperity.contact.load_sharing import SharingLaw
+from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.quantity_key import Entered, Quantity
@@ -24,16 +27,76 @@ CrownRadius = Annotated[Quantity, limits.CROWN_RADIUS]
 Skew = Annotated[Quantity, limits.SKEW]
 
 
+class BoundaryPoint(Section):
+    """Friction of asperities at one speed of slip; [speed, coefficient] in the file."""
+
+    slip_speed: Annotated[Quantity, limits.SLIP_SPEED]
+    """Speed at which the surfaces slip."""
+    coefficient: Friction
+    """Friction coefficient of the asperities there."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_a_pair(cls, written: object) -> object:
+        """The table of a pair."""
+        if isinstance(written, list | tuple):
+            if len(written) != 2:
+                raise InputError(f"expected [slip speed, coefficient], e.g. {_PAIR}, got {quoted(written)}")
+            return dict(zip(("slip_speed", "coefficient"), written, strict=True))
+        return written
+
+
+_PAIR = '["0.01 m/s", 0.11]'
+
+
 class Lubrication(Section):
     """The oil; without it the contacts are dry."""
 
-    viscosity: Annotated[Quantity, limits.VISCOSITY]
+    fluid: Annotated[str, StringConstraints(min_length=1, max_length=60)] | None = None
+    """The oil by its name in the library (`asperity materials`) or in a section [fluids.NAME]: its viscosity at
+    temperature.working, and with its traction the friction of the contacts. Either this or viscosity."""
+    viscosity: Annotated[Quantity, limits.VISCOSITY] | None = None
     """Viscosity of the oil at the inlet of the contacts; makes the rolling loss of the oil."""
     pressure_coefficient: Annotated[Quantity, limits.PRESSURE_COEFFICIENT] | None = None
     """Pressure coefficient of the viscosity; makes the thickness of the oil film, which is left out without it."""
     roughness: Annotated[Quantity, limits.ROUGHNESS] | None = None
     """Root mean square of the heights of both surfaces together, sqrt(Rq1^2 + Rq2^2); makes the ratio lambda of the oil
     film to it. From the Ra of [surface], where all contacts have one, if absent: 1.2533 times the Ra of both."""
+    supply: Annotated[Quantity, limits.SUPPLY] | None = None
+    """Thickness of the film over that of a flooded contact, less than 1 for grease or little oil; 1 if absent."""
+    load_sharing: SharingLaw | None = None
+    """How asperities and film share the load: persson, by one equation of film and asperities, or its rival erf, by the
+    heights above the film of the whole load; persson if absent."""
+    film_law: FilmLaw | None = None
+    """Law of the central film; moes, which alone stays right where asperities take load off the film, if absent."""
+    creep_limit: Annotated[Quantity, limits.CREEP_LIMIT] | None = None
+    """Largest creepage at which a traction counts as one that a contact carries; 0.02 if absent."""
+    boundary_friction: Annotated[tuple[BoundaryPoint, ...], Field(min_length=2)] | None = None
+    """Friction coefficient of the asperities over the speed of slip, a list of pairs [speed, coefficient] with rising
+    speeds, between which it goes with the logarithm of the speed; load.friction_coefficient if absent."""
+
+    @model_validator(mode="after")
+    def _one_oil(self) -> Self:
+        if self.fluid is None and self.viscosity is None:
+            raise InputError(".viscosity: this key is missing, or fluid in its place")
+        if self.fluid is not None and self.viscosity is not None:
+            raise InputError("fluid and viscosity: a fluid has a viscosity of its own; leave one of them out")
+        if self.fluid is not None and self.pressure_coefficient is not None:
+            raise InputError(
+                "pressure_coefficient: a fluid has one of its own; leave it out, or state it in the section "
+                f"[fluids.NAME] of {quoted(self.fluid)}"
+            )
+        of_fluid = ("supply", "load_sharing", "film_law", "creep_limit", "boundary_friction")
+        lonely = [name for name in of_fluid if getattr(self, name) is not None]
+        if self.fluid is None and lonely:
+            raise InputError(
+                f"{', '.join(lonely)}: only with lubrication.fluid, whose film carries a part of the load; give the "
+                "fluid in place of viscosity, or leave it out"
+            )
+        speeds = [point.slip_speed.value for point in self.boundary_friction or ()]
+        if any(later <= earlier for earlier, later in itertools.pairwise(speeds)):
+            raise InputError("boundary_friction: the speeds must rise from pair to pair; sort them")
+        return self
 
 
 _Share = Annotated[float, Field(gt=0.0, le=1.0)] | str

@@ -21,6 +21,7 @@ from asperity.drive.types import DEFAULT_TYPE
 from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
+from asperity.joint_file.fluid_entries import CURVES, FluidEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Distribution, Key, Quantity
@@ -66,7 +67,7 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     PARTNER_DEPTH: ("partner_roughness_average",),
     "partner_roughness_average": (PARTNER_DEPTH,),
 }
-_NAMED = ("materials", "duty", "branch", "roller", "contact")
+_NAMED = ("materials", "fluids", "duty", "branch", "roller", "contact")
 _STATED_PER_CONTACT = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
@@ -103,11 +104,17 @@ def without_measurement(values: Values) -> Values:
 
 
 def stated_tables(case: Case) -> Values:
-    """The tables of :func:`si_values` as a file states them: a measured surface by its source and a digest of it."""
+    """The tables of :func:`si_values` as a file states them: a measured surface by its source and a digest of it.
+
+    So are curves of traction.
+    """
     tables = without_measurement(si_values(case))
     if case.measured is not None:
         digest = hashlib.sha256(case.measured.text.encode()).hexdigest()
         tables["surface"] = {"measurement": f"{case.measured.measured.source} ({digest[:12]})"}
+    for oil in tables.get("fluids", {}).values():
+        if CURVES in oil:
+            oil[CURVES] = f"curves ({hashlib.sha256(oil[CURVES].encode()).hexdigest()[:12]})"
     return tables
 
 
@@ -115,11 +122,12 @@ def _plain(node: Any) -> Any:
     if isinstance(node, Quantity):
         return node.value
     if isinstance(node, BaseModel):
-        return {
+        plain = {
             name: _plain(value)
             for name, value in node
             if value is not None and name not in (DEPTH, PARTNER_DEPTH)
         }
+        return node.in_tables(plain) if isinstance(node, FluidEntry) else plain
     if isinstance(node, dict):
         return {name: _plain(value) for name, value in node.items()}
     if isinstance(node, tuple):
@@ -138,6 +146,8 @@ def key_at(path: str, kind: str | None = None) -> Key:
     one = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts))]
     if parts[0] == "branch" and len(parts) == 4:  # sector and roller of type planar
         one.append(f"branch.*.{parts[2]}.*")
+    if parts[0] == "fluids" and len(parts) == 5:  # row of a table of traction
+        one.append(f"fluids.*.{parts[2]}.*.{parts[4]}")
     for generic in (path, *one):
         if generic in known and parts[0] != "*":
             return known[generic]
@@ -171,7 +181,9 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
 def varied_keys(case: AnyCase) -> dict[str, NumericKey]:
     """The numbers of a joint file that may vary: without those that follow from a measured surface."""
     keys = numeric_keys(case)
-    return {path: keys[path] for path in keys if case.measured is None or not path.startswith("surface.")}
+    curves = [name for name, oil in (case.fluids or {}).items() if oil.traction_curve]
+    fixed = tuple(f"fluids.{name}.rig." for name in curves) + (("surface.",) if case.measured else ())
+    return {path: number for path, number in keys.items() if not path.startswith(fixed)}
 
 
 def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
@@ -190,10 +202,21 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
                 f"{path}: follows from the measured surface of the joint, what each contact feels of it; give the "
                 "surface by numbers in place of surface.measurement to change them"
             )
+        if path.startswith("fluids.") and path.split(".")[2] == "rig":
+            _refuse_rig_of_curves(tables, path)
         for track_path in paths_of_track(tables, path):
             for steps in change_targets(tables, track_path):
                 _set(tables, steps, value)
     return tables
+
+
+def _refuse_rig_of_curves(tables: Values, path: str) -> None:
+    """Refuse another rig for curves from which its discs are taken off when they are read."""
+    name = path.split(".")[1]
+    if CURVES in tables.get("fluids", {}).get(name, {}):
+        raise InputError(
+            f"{path}: the discs of the rig are taken off the curves when the file is read; write another rig into it"
+        )
 
 
 def _copied(node: Any) -> Any:
@@ -253,6 +276,10 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
             raise InputError(f"{'.'.join(steps)}: the file has no section {step} in [[{steps[0]}]]")
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
+        if steps[0] == "fluids" and step not in table:
+            raise InputError(
+                f"{'.'.join(steps)}: the file has no section [{'.'.join(steps[:-1])}]; give one with this number"
+            )
         table = table.setdefault(step, {})
     for other in counterparts(steps[-1]):
         table.pop(other, None)

@@ -12,7 +12,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from asperity.errors import InputError, quoted
 from asperity.reading import read_toml
@@ -99,14 +99,15 @@ class Finish:
 
 
 @functools.cache
-def _built_in(name: str) -> dict[str, Document]:
+def built_in_entries(name: str) -> dict[str, Document]:
+    """The tables of a file of this folder; not to be changed."""
     from importlib.resources import files
 
     return tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
 
 
 def _tables(name: str, extension: str | Path | None) -> dict[str, Document]:
-    tables = copy.deepcopy(_built_in(name))
+    tables = copy.deepcopy(built_in_entries(name))
     if extension is not None:
         added = read_toml(extension)
         for entry, value in added.items():
@@ -180,15 +181,24 @@ def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
     return materials
 
 
-def library_name(name: str, library: Mapping[str, LibraryMaterial]) -> str | None:
-    """The name under which a library has a material of this name or designation; None where it has none.
+class _Entry(Protocol):
+    """An entry of a library that has other names."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def also(self) -> tuple[str, ...]: ...
+
+
+def library_name(name: str, library: Mapping[str, _Entry]) -> str | None:
+    """The name under which a library has a material or fluid of this name or designation; None where it has none.
 
     Of designations in other standards capitals, blanks and hyphens do not count; the library is that of
     :func:`read_materials`.
     """
     if name in library:
         return name
-    names = {_plain(alias): material.name for material in library.values() for alias in material.also}
+    names = {_plain(alias): entry.name for entry in library.values() for alias in entry.also}
     return names.get(_plain(name))
 
 

@@ -39,6 +39,7 @@ HEADINGS = {
     "output_bearing": "Rolling bearings of the output",
     "rolling": "Rolling",
     "lubrication": "Lubrication",
+    "fluids": "Oils",
     "duty": "Duty",
     "dynamics": "Dynamics",
 }

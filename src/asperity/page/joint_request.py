@@ -148,6 +148,22 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
                 f"{source}: materials.{name}.file: the page opens no other files; write the numbers of the material "
                 "into the joint file, or start 'asperity serve' with it"
             )
+    _refuse_curve_files(tables, source=source)
+
+
+def _refuse_curve_files(tables: Mapping[str, Any], *, source: str) -> None:
+    """Refuse curves of traction that stand in other files."""
+    oils = tables.get("fluids")
+    for name, oil in oils.items() if isinstance(oils, Mapping) else ():
+        curves = oil.get("traction_curve") if isinstance(oil, Mapping) else None
+        if isinstance(curves, str) or any(
+            isinstance(curve, Mapping) and "file" in curve
+            for curve in (curves if isinstance(curves, list) else ())
+        ):
+            raise InputError(
+                f"{source}: fluids.{name}.traction_curve: the page opens no other files; write the points of the curve "
+                "into the joint file, or start 'asperity serve' with it"
+            )
 
 
 def shown_name(name: str) -> str:

@@ -89,7 +89,7 @@ ROWS = (
         "drag of the oil on each surface of the contact in rolling",
         value="result.rolling.drag",
         positive=False,
-        note="besides the tangential force; 0 without lubrication.viscosity, and where the input stands",
+        note="besides the tangential force; 0 without lubrication.viscosity or a fluid, and where the input stands",
     ),
     _per_contact(
         "hysteresis_moment",
@@ -249,7 +249,7 @@ ROWS = (
         Dimension.LENGTH,
         "um",
         "result.rolling.film_thickness",
-        note=f"as if it carried the whole load; nan without lubrication.pressure_coefficient; {_STANDING}",
+        note=f"as if it carried the whole load; nan without lubrication.pressure_coefficient or a fluid; {_STANDING}",
     ),
     _contact_ratio(
         "film_ratio",
@@ -361,7 +361,7 @@ ROWS = (
         "power loss by the oil at the inlet",
         value="result.rolling.power.oil",
         axis="contact",
-        note="nan without lubrication.viscosity",
+        note="nan without lubrication.viscosity or a fluid",
         place="rolling.contacts.*.losses_W.oil",
     ),
     _loss(

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
+from typing import Self
+
 from asperity.contact.creep_law import CREEP_LIMIT
 from asperity.contact.film_thickness import FilmLaw
 from asperity.contact.fluid import Fluid
 from asperity.contact.load_sharing import SharingLaw
 from asperity.engine.module import Module, static
 from asperity.types import Real
+
+#: Temperature of 0 degC [K].
+ZERO_CELSIUS = 273.15
 
 
 class DutyPoint(Module):
@@ -44,6 +50,8 @@ class Lubricant(Module):
     friction_speeds, friction_coefficients : tuple of Real
         Slip speeds in rising order [m/s] and friction coefficients of the asperities there [-]; empty where friction
         is that of the joint at every speed.
+    lowest_temperature : Real or None
+        Lowest one of the fluid's data [K]; None where none is known.
     film_law, load_sharing : FilmLaw, SharingLaw
         Laws of the central film, and of the shares of film and asperities in the load.
     """
@@ -54,6 +62,7 @@ class Lubricant(Module):
     creep_limit: Real = CREEP_LIMIT
     friction_speeds: tuple[Real, ...] = ()
     friction_coefficients: tuple[Real, ...] = ()
+    lowest_temperature: Real | None = None
     film_law: FilmLaw = static(default="moes")
     load_sharing: SharingLaw = static(default="persson")
 
@@ -69,9 +78,11 @@ class RollingConditions(Module):
     hysteresis_loss_factor : Real or None
         Share of the elastic work that is lost [-]; None if this loss is left out.
     viscosity : Real or None
-        Viscosity of the oil at the inlet of the contacts [Pa·s]; None if its rolling loss is left out.
+        Viscosity of the oil at the inlet of the contacts [Pa·s], with a lubricant that of its fluid at its
+        temperature; None if its rolling loss is left out.
     pressure_viscosity_coefficient : Real or None
-        Pressure coefficient of the viscosity [1/Pa]; None if the thickness of the film is left out.
+        Pressure coefficient of the viscosity [1/Pa]; None with a lubricant, whose fluid has one for every pressure, and
+        if the thickness of the film is left out.
     reliability : Real
         Survival for which lives are stated [-].
     duty : tuple of DutyPoint
@@ -80,7 +91,8 @@ class RollingConditions(Module):
         Root mean square of the heights of both surfaces of a contact together, one for all contacts, or one each [m];
         None if the ratio of the film to it is left out.
     lubricant : Lubricant or None
-        The oil in the contacts, by what its film does; None where friction is as stated.
+        The oil in the contacts, by what it does; None where its viscosity alone is stated, or nothing. Friction is as
+        stated without one, and with one whose fluid has no traction.
     """
 
     skew: tuple[Real, ...] | None
@@ -91,6 +103,16 @@ class RollingConditions(Module):
     duty: tuple[DutyPoint, ...]
     roughness: tuple[Real, ...] | None = None
     lubricant: Lubricant | None = None
+
+    def with_oil_at(self, temperature: Real) -> Self:
+        """The same conditions with the oil at another temperature [K]; without a lubricant nothing changes."""
+        if self.lubricant is None:
+            return self
+        return dataclasses.replace(
+            self,
+            lubricant=dataclasses.replace(self.lubricant, temperature=temperature),
+            viscosity=self.lubricant.fluid.viscosity.base(temperature),
+        )
 
 
 #: Parallel axes, no hysteresis, no oil, 90 % survival, no duty: a joint whose description says nothing about rolling.

@@ -18,6 +18,7 @@ from asperity.contact.flash_temperature import (
 from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
+from asperity.contact.viscosity import reciprocal_asymptotic_coefficient
 from asperity.drive.state.state import RollingSpeeds
 from asperity.engine.arrays import xp
 from asperity.joint.contacts import JointContacts
@@ -78,12 +79,13 @@ def oil_film(
     Shape (contacts, ...).
     """
     absent = xp.full_like(normal_force, xp.nan)
-    if conditions.viscosity is None or conditions.pressure_viscosity_coefficient is None:
+    coefficient = _pressure_coefficient(conditions, pairs, normal_force)
+    if conditions.viscosity is None or coefficient is None:
         return absent, absent
     turns = rolling_speed > 0.0
     thickness = minimum_film_thickness(
         viscosity=conditions.viscosity,
-        pressure_coefficient=conditions.pressure_viscosity_coefficient,
+        pressure_coefficient=coefficient,
         entrainment_speed=xp.where(turns, rolling_speed, 1.0),
         line_load=normal_force / pairs.contact_length,
         effective_radius=pairs.effective_radius,
@@ -95,6 +97,23 @@ def oil_film(
     roughness = xp.stack(xp.broadcast_arrays(*map(xp.asarray, conditions.roughness)))
     roughness = roughness.reshape(*roughness.shape, *(1,) * (thickness.ndim - roughness.ndim))
     return thickness, xp.asarray(film_ratio(film_thickness=thickness, roughness=roughness))
+
+
+def _pressure_coefficient(
+    conditions: RollingConditions, pairs: RollerPairs, normal_force: Array
+) -> Real | None:
+    """Pressure coefficient of the oil [1/Pa], of a fluid that below the peak pressures; None where it has none."""
+    oil = conditions.lubricant
+    if oil is None:
+        return conditions.pressure_viscosity_coefficient
+    pressed = normal_force > 0.0
+    force = xp.where(pressed, normal_force, 1.0)
+    peak = peak_pressure(
+        normal_force=force, contact_length=pairs.contact_length, half_width=pairs.half_width(force)
+    )
+    return reciprocal_asymptotic_coefficient(
+        viscosity=oil.fluid.viscosity, peak_pressure=xp.asarray(peak), temperature=oil.temperature
+    )
 
 
 class RollingStrips(NamedTuple):

@@ -212,9 +212,10 @@ def long_name(path: str) -> str:
     """
     section, *rest = path.split(".")
     generic, contact = _generic(path)
-    words = path.split(".")[-1] if section == "materials" else generic.split(".")[-1]
+    named = section in ("materials", "fluids")
+    words = path.split(".")[-1] if named else generic.split(".")[-1]
     words = words.replace("youngs", "Young's").replace("poisson", "Poisson's").replace("_", " ")
     if section in ("bearings", "compliance"):
         return f"{words} ({section})"
-    whose = rest[0] if section == "materials" else contact
+    whose = rest[0] if named else contact
     return f"{words}, {whose}" if whose else words

@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from asperity.contact.fluid import RheologicalTraction
+from asperity.contact.measured_traction import MeasuredTraction
+from asperity.contact.viscosity import EstimatedPressureRise
 from asperity.joint_file.assumed.contact_law import in_rolling
 from asperity.joint_file.assumed.described import Described
+from asperity.joint_file.fluid_entries import FluidEntry
+from asperity.joint_file.lubricant import CONDUCTIVITY, SHEAR_LAW, SHEAR_MODULI, SHEAR_MODULUS
 from asperity.joint_file.part_names import HOUSING
+from asperity.library.fluids import library_fluid, section_of
+from asperity.rolling.conditions import ZERO_CELSIUS, Lubricant
 
 
 def rolling(file: Described) -> Iterator[str]:
@@ -33,7 +40,13 @@ def oil(file: Described) -> Iterator[str]:
     stated = file.case.lubrication
     if stated is None:
         yield "no section [lubrication]: no oil and no oil loss at the inlet of the contacts"
-    elif stated.pressure_coefficient is None:
+        return
+    lubricant = file.joint.rolling.lubricant
+    if lubricant is None or lubricant.fluid.traction is None:
+        yield "friction as stated: no traction data of the oil"
+    if lubricant is not None:
+        yield from _fluid(file, lubricant)
+    if stated.pressure_coefficient is None and stated.fluid is None:
         yield "no lubrication.pressure_coefficient: no film thickness"
     elif stated.roughness is None:
         if file.joint.rolling.roughness is None:
@@ -43,6 +56,51 @@ def oil(file: Described) -> Iterator[str]:
                 "no lubrication.roughness: that of normally distributed heights, Rq = sqrt(pi/2) Ra = 1.2533 Ra of "
                 "both surfaces together"
             )
+
+
+def _fluid(file: Described, lubricant: Lubricant) -> Iterator[str]:
+    """What is taken of an oil of which the file does not say it."""
+    stated, sections = file.case.lubrication, file.case.fluids or {}
+    assert stated is not None
+    assert stated.fluid is not None
+    name, known, section = stated.fluid, library_fluid(stated.fluid), section_of(stated.fluid, sections)
+    entry = FluidEntry() if section is None else sections[section]
+    if isinstance(lubricant.fluid.viscosity.pressure_rise, EstimatedPressureRise):
+        yield (
+            f"no pressure_coefficient of {name}: that of paraffinic mineral oils of its viscosity, 10.471 1/GPa times "
+            "its viscosity in mPa*s to the power 0.1348 (ANSI/AGMA 925-A03); naphthenic oils have about "
+            "1.5 times it, traction fluids 1.7 times, PAO 0.7 times"
+        )
+    elif entry.pressure_coefficient is not None:
+        yield f"pressure_coefficient of {name}: the same at all temperatures, rising after Roelands"
+    if entry.viscosity_40 is not None:
+        yield f"viscosity of {name}: Walther's equation (ASTM D341) with the same density at all temperatures"
+    if isinstance(lubricant.fluid.traction, RheologicalTraction):
+        if entry.shear_law is None and (known is None or known.shear_law is None):
+            yield f"no shear_law of {name}: {SHEAR_LAW}; traction fluids flow up to their limit, limit"
+        if entry.shear_modulus is None:
+            low, high = (1e-9 * value for value in SHEAR_MODULI)
+            yield (
+                f"no shear_modulus of {name}: {1e-9 * SHEAR_MODULUS:g} GPa; films of oil have {low:g} to {high:g} GPa, "
+                "a softer one creeps more"
+            )
+    elif isinstance(lubricant.fluid.traction, MeasuredTraction) and entry.rig is None:
+        yield (
+            f"no rig of {name}: the discs of its traction_curve count twice, so that contacts creep up to their "
+            "friction times p0/E* too much"
+        )
+    elif lubricant.fluid.traction is not None and entry.rig is None:
+        yield f"no rig of {name}: traction_slope is that of the film alone, without the discs"
+    if isinstance(lubricant.fluid.traction, MeasuredTraction):
+        yield f"traction_curve of {name}: held beyond its points and conditions, with the heat of its measurement in it"
+    if entry.conductivity is None and (known is None or known.conductivity is None):
+        yield f"no conductivity of {name}: {CONDUCTIVITY:g} W/(m K), that of mineral oils"
+    lowest = lubricant.lowest_temperature
+    if lowest is not None and float(lubricant.temperature) < float(lowest):
+        yield (
+            f"{name} at {float(lubricant.temperature) - ZERO_CELSIUS:g} degC: below the lowest temperature of its "
+            f"data, {float(lowest) - ZERO_CELSIUS:g} degC; viscosity and traction are extrapolated"
+        )
 
 
 def heat(file: Described) -> Iterator[str]:

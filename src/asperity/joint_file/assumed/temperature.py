@@ -16,7 +16,11 @@ def temperature(file: Described) -> Iterator[str]:
     case, _ = file
     if case.temperature is None:
         return
-    yield "temperature: the same in all bodies; elastic moduli, friction and the oil's viscosity stay those of the file"
+    if file.joint.rolling.lubricant is None:
+        stay = "elastic moduli, friction and the oil's viscosity"
+    else:
+        stay = "the oil's too; elastic moduli and the friction coefficient"
+    yield f"temperature: the same in all bodies; {stay} stay those of the file"
     if case.load.preload is not None:
         yield (
             f"load.preload is a force: {_left_out(case)} does not move it, as if a spring or a weight made it; give "

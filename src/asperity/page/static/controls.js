@@ -23,6 +23,7 @@ const measurement = (stated) => (stated.document?.measured_surface ? JSON.string
 export function label(path) {
   const parts = path.split(".").slice(1);
   if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
+  if (path.startsWith("fluids.")) return `${parts.slice(1).join(" ").replaceAll("_", " ")}, ${parts[0]}`;
   if (/^(roller|contact)\./.test(path)) return `${parts[1].replaceAll("_", " ")}, ${path.split(".")[0]} ${parts[0]}`;
   const section = sectionOf(path);
   if (section) return `${section.key.split(".").join(" ").replaceAll("_", " ")}, ${section.title}`;
@@ -99,6 +100,7 @@ export class Controls {
   generic(path) {
     const parts = path.split(".");
     const wild = parts.map((_, at) => [...parts.slice(0, at), "*", ...parts.slice(at + 1)].join(".")).slice(1);
+    if (parts.length === 5) wild.push([parts[0], "*", parts[2], "*", parts[4]].join(".")); // a row of a table of an oil
     return [path, ...wild].find((key) => this.parameters.has(key)) || path;
   }
 
