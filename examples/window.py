@@ -10,9 +10,11 @@ from pathlib import Path
 
 import asperity
 from asperity.api.window import JointWindow
+from asperity.show.window_figure import window_figure
 
 HERE = Path(__file__).parent
 PICTURE = HERE.parent / "docs" / "images" / "window.png"
+TITLE = "A planetary drive in a housing of aluminium"
 #: What the file of the plain planetary drive says in its comments, and further numbers.
 CHANGES = {
     "# [temperature]\n# assembly": "[temperature]\nassembly",
@@ -46,7 +48,7 @@ def main(picture: Path) -> JointWindow:
     """Draw the window, and return it."""
     joint = asperity.load(HERE / "planetary.toml").edited(joint_text())
     window = asperity.window(joint, start="0 degC", stop="70 degC", points=15)
-    window.plot().savefig(picture, dpi=110)
+    window_figure(window.window, title=TITLE).savefig(picture, dpi=110)
     return window
 
 

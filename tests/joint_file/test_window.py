@@ -32,6 +32,7 @@ def test_temperature_is_the_axis_where_something_depends_on_it(wheels, housed):
     assert not temperature_matters(si_values(wheels.case))
 
 
+@pytest.mark.slow
 def test_temperatures_lie_around_those_of_the_file(housed):
     """20 degC at the assembly and 40 degC at work, at least 20 K beyond both."""
     axis = joint_window(housed.case, points=3).axis
@@ -98,6 +99,7 @@ def test_temperature_of_a_preload_that_a_spring_keeps_changes_nothing(wheels):
         joint_window(warm.case, over="temperature")
 
 
+@pytest.mark.slow
 def test_progress_is_reported(wheels):
     told = []
     joint_window(

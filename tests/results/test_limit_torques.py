@@ -126,17 +126,21 @@ def test_the_whole_duty_is_scaled_to_the_life_that_is_required():
     assert border(window, "required_life")[window.working] == pytest.approx(1.5 * largest, rel=1e-9)
 
 
-def test_a_life_that_no_torque_reaches_closes_the_window(wheels):
-    """The force of a spring alone is too much: in proportion to it is nothing of the torque."""
-    joint = wheels.edited(
-        (EXAMPLES / "wheel_pair.toml").read_text() + '\n[rolling]\nrequired_life = "1e9 h"\n'
-    )
-    window = joint_window(joint.case, start=800.0, stop=1200.0, points=3)
-    assert np.all(window.regions[0].capacity.torque == 0.0)
-    assert {LIMITS[code] for code in window.regions[0].capacity.limit} == {"required_life"}
-    assert window.words(window.regions[0].capacity, 0).startswith(
-        "the rating life falls below the required 1e9 h"
-    )
+@pytest.mark.slow
+def test_a_life_that_the_force_alone_takes_closes_the_window(wheels):
+    """The force of a spring makes the life, whatever the torque: on both sides of the place by the life of one joint."""
+    text = (EXAMPLES / "wheel_pair.toml").read_text() + '\n[rolling]\nrequired_life = "1e9 h"\n'
+    joint = wheels.edited(text)
+    window = joint_window(joint.case, start=800.0, stop=1200.0, points=2)
+    capacity = window.regions[0].capacity
+    closed = int(np.argmax(capacity.torque == 0.0))
+    assert closed > 0
+    assert window.words(capacity, closed) == "the rating life falls below the required 1e9 h without torque"
+    for number, reaches in ((closed - 1, True), (closed, False)):
+        there = joint.with_values(
+            {"load.preload": f"{window.at[number]!r} N", "load.output_torque": "0.1 N*m"}
+        )
+        assert (there.solve()["drive_life"].si >= 1e9 * 3600.0) == reaches
 
 
 @pytest.mark.slow

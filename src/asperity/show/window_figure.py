@@ -78,8 +78,7 @@ def _key(window: Window) -> str:
     if not window.has_tolerances:
         return "blue: the joint passes the torque; grey: it passes none"
     return (
-        "blue: the joint passes the torque, wherever its parts lie within their tolerances; light blue: where they lie "
-        "well; grey: it passes none"
+        "blue: all parts within their tolerances pass the torque; light blue: some do; grey: none is passed"
     )
 
 
@@ -210,6 +209,9 @@ def _keep_free(words: PlacedWords, window: Window) -> None:
         words.keep_free(x, _signed(region, region.capacity.torque))
         for border in borders(window, region):
             words.keep_free(x, _signed(region, border.torque))
+        for part in governing(window, region):
+            for edge in _ends(window, part) if part.closed else ():
+                words.keep_free(np.array([edge, edge]), np.array(words.axes.get_ylim()))
     words.keep_free(np.array([at, at]), np.array(words.axes.get_ylim()))
     for judged in window.loads:
         words.keep_free(np.array([at]), np.array([judged.load.torque]))
@@ -322,7 +324,7 @@ def _write_loads(words: PlacedWords, window: Window) -> None:
                     judged.load.torque,
                     {"ha": ha, "va": "center", "xytext": (shift, dy), "fontsize": _SMALL, "color": colour},
                 )
+                for ha, shift in (("right", -8), ("left", 8))
                 for dy in (0, 6, -6, 12, -12, 20, -20)
-                for ha, shift in (("left", 8), ("right", -8))
             ),
         )

@@ -15,10 +15,10 @@ from asperity.made_files import table_where
 from asperity.results.window_document import window_columns
 from asperity.writing import check_apart, check_file, check_image, write_columns
 
-#: Columns of a window: its axis, its preload and its capacity come first, whatever limits follow.
+#: Columns of a window: its axis, its preload where that is not the axis, and its capacity come before all limits.
 WINDOW_LIMITS = table_where(
     "the limits of a window",
-    lambda columns: columns[1:3] == ["preload_N", "torque_capacity_Nm"],
+    lambda columns: "preload_N" in columns[:2] and "torque_capacity_Nm" in columns[1:3],
 )
 
 
