@@ -128,7 +128,7 @@ def test_the_whole_duty_is_scaled_to_the_life_that_is_required():
 
 @pytest.mark.slow
 def test_a_life_that_the_force_alone_takes_closes_the_window(wheels):
-    """The force of a spring makes the life, whatever the torque: on both sides of the place by the life of one joint."""
+    """The force of a spring makes the life, whatever the torque: on both sides by the life of one joint."""
     text = (EXAMPLES / "wheel_pair.toml").read_text() + '\n[rolling]\nrequired_life = "1e9 h"\n'
     joint = wheels.edited(text)
     window = joint_window(joint.case, start=800.0, stop=1200.0, points=2)

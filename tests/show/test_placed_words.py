@@ -33,3 +33,10 @@ def test_words_without_a_place_are_left_out(words):
     assert not words.place("on a point", [(0.5, 0.5, CENTRED)])
     assert not words.place("beyond the panel", [(0.0, 0.5, CENTRED)])
     assert not words.axes.texts
+
+
+def test_a_line_that_is_released_may_be_covered(words):
+    line = words.keep_free(np.array([0.0, 1.0]), np.array([0.5, 0.5]))
+    assert not words.place("on the line", [(0.5, 0.5, CENTRED)])
+    words.release(line)
+    assert words.place("on the line", [(0.5, 0.5, CENTRED)])

@@ -31,16 +31,21 @@ class PlacedWords:
     _points: list[np.ndarray] = field(default_factory=list)
     _boxes: list[Bbox] = field(default_factory=list)
 
-    def keep_free(self, x: np.ndarray, y: np.ndarray) -> None:
-        """Let no words cover a line through points; ends that are not finite are left out."""
+    def keep_free(self, x: np.ndarray, y: np.ndarray) -> int:
+        """Let no words cover a line through points, those that are finite; its number, to release it."""
         known = np.isfinite(x) & np.isfinite(y)
         ends = self.axes.transData.transform(np.column_stack([x[known], y[known]]))
         if len(ends) < 2:
             self._points.append(ends)
-            return
+            return len(self._points) - 1
         along = np.linspace(0.0, len(ends) - 1.0, _PIECES * (len(ends) - 1) + 1)
         of = np.arange(len(ends))
         self._points.append(np.column_stack([np.interp(along, of, ends[:, axis]) for axis in (0, 1)]))
+        return len(self._points) - 1
+
+    def release(self, line: int) -> None:
+        """Let words cover a line again."""
+        self._points[line] = np.empty((0, 2))
 
     def place(self, words: str, candidates: Iterable[tuple[float, float, Document]]) -> bool:
         """Write words at the first of some places where they cover nothing; whether there was one.

@@ -56,9 +56,9 @@ def window_figure(window: Window, *, title: str, width: float = 9.0) -> Figure:
         _draw_loads(axes, window)
         words = PlacedWords(axes)
         _keep_free(words, window)
+        _write_loads(words, window)
         for region in window.regions:
             _write_limits(words, window, region)
-        _write_loads(words, window)
         said = verdict(window)
         figure.text(left, 0.955, title, fontsize=11, fontweight="bold", color=INK, va="top")
         figure.text(left, 0.862, _key(window), fontsize=_SMALL, color=MUTED, va="top")
@@ -209,9 +209,6 @@ def _keep_free(words: PlacedWords, window: Window) -> None:
         words.keep_free(x, _signed(region, region.capacity.torque))
         for border in borders(window, region):
             words.keep_free(x, _signed(region, border.torque))
-        for part in governing(window, region):
-            for edge in _ends(window, part) if part.closed else ():
-                words.keep_free(np.array([edge, edge]), np.array(words.axes.get_ylim()))
     words.keep_free(np.array([at, at]), np.array(words.axes.get_ylim()))
     for judged in window.loads:
         words.keep_free(np.array([at]), np.array([judged.load.torque]))
@@ -250,15 +247,18 @@ def _write_closed(words: PlacedWords, window: Window, part: Stretch, high: float
         "fontsize": _SMALL,
         "color": INK,
     }
-    for letters in (_LINE, 18):
-        said = textwrap.fill(part.meaning, letters)
+    edges = [words.keep_free(np.array([edge, edge]), np.array([0.0, high])) for edge in (start, end)]
+    for letters in (_LINE, 24, 16, 11):
+        said = textwrap.fill(f"no torque is allowed: {part.meaning}", letters)
         places = (
             (start + along * (end - start), share * high, options)
             for share in (0.5, 0.62, 0.38, 0.75, 0.25, 0.88)
             for along in (0.5, 0.35, 0.65, 0.2, 0.8)
         )
-        if words.place(f"no torque is allowed:\n{said}", places):
-            return
+        if words.place(said, places):
+            break
+    for edge in edges:
+        words.release(edge)
 
 
 def _wrapped(meaning: str) -> str:
