@@ -30,7 +30,7 @@ def test_text_csv_and_picture(call, tmp_path):
         told.out.splitlines()[1]
         == "The output torque of the file lies inside the window at 1000 N of preload."
     )
-    rows = list(csv.DictReader(files[0].open()))
+    rows = list(csv.DictReader(files[0].read_text().splitlines()))
     assert [float(rows[end]["preload_N"]) for end in (0, -1)] == [500.0, 1000.0]
     # mu N R of 1000 N, standing
     assert float(rows[-1]["gross_slip_Nm"]) == pytest.approx(0.08 * 1000.0 * 0.040, rel=1e-9)
