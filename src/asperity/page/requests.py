@@ -123,6 +123,15 @@ class CompareRequest(Body):
     other: Request
 
 
+class WindowJob(Body):
+    """The torques that the joint may pass over its temperature or its preload."""
+
+    kind: Literal["window"]
+    over: Literal["temperature", "preload"] | None = Field(
+        None, description="null: temperature where the preload or a seat depends on it."
+    )
+
+
 class SensitivityJob(Body):
     """The influence of every number of the joint file."""
 
@@ -146,7 +155,7 @@ class DesignJob(Body):
     file: str = Field("design.toml", description="Name of the design file, for messages.")
 
 
-AskedJob = Union[SensitivityJob, UncertaintyJob, DesignJob]  # noqa: UP007  # pydantic names its members
+AskedJob = Union[WindowJob, SensitivityJob, UncertaintyJob, DesignJob]  # noqa: UP007  # pydantic names its members
 
 
 class JobRequest(Request):

@@ -98,6 +98,7 @@ const KINDS = {
   figures: (block) => keyFigures(block),
   table: tableBlock,
   warnings: ({ items }) => [element("ul", { class: "warnings" }, ...items.map(warned))],
+  picture: ({ title, svg }) => [element("img", { alt: title, width: "100%", src: `data:image/svg+xml,${encodeURIComponent(svg)}` })],
   listing: ({ text }) => [element("pre", {}, text)],
 };
 
