@@ -485,6 +485,19 @@ def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path
 
 
 @pytest.mark.long
+def test_the_window_is_a_picture_with_its_words(page):
+    page.locator("#jobs > summary").click()
+    page.locator("#begin-window").click()
+    page.wait_for_selector(".job[data-kind=window][data-state=done] .job-result img", timeout=300_000)
+    picture = page.locator(".job[data-kind=window] img")
+    assert picture.get_attribute("alt") == "Torques that the joint may pass"
+    assert picture.evaluate("image => image.complete && image.naturalWidth > 300")
+    said = page.locator(".job[data-kind=window]").inner_text()
+    assert "lies inside the window at 1000 N of preload" in said
+    assert "Which limit governs where" in said
+
+
+@pytest.mark.long
 def test_a_report_is_saved_as_html_and_pdf(page, tmp_path):
     for name, ending, begins in (("Save report", "html", b"<!doctype html"), ("Save PDF", "pdf", b"%PDF-")):
         with page.expect_download(timeout=300_000) as waiting:
