@@ -100,7 +100,7 @@ def test_another_temperature_is_that_of_the_file(housed):
 def test_a_ring_turns_in_its_housing_where_its_seat_holds_just_its_torque(housed):
     window = joint_window(housed.case, start=50.0, stop=55.0, points=2)
     torque = border(window, "seat_torque_safety")[window.at == 50.0][0]
-    there = {"temperature.working": "50 degC", "load.output_torque": f"{torque!r} N*m"}
+    there = {"temperature.working": "50 degC", "load.output_torque": f"{float(torque)!r} N*m"}
     assert np.nanmin(housed.with_values(there).solve()["seat_torque_safety"].si) == pytest.approx(
         1.0, rel=1e-9
     )
@@ -138,7 +138,7 @@ def test_a_life_that_the_force_alone_takes_closes_the_window(wheels):
     assert window.words(capacity, closed) == "the rating life falls below the required 1e9 h without torque"
     for number, reaches in ((closed - 1, True), (closed, False)):
         there = joint.with_values(
-            {"load.preload": f"{window.at[number]!r} N", "load.output_torque": "0.1 N*m"}
+            {"load.preload": f"{float(window.at[number])!r} N", "load.output_torque": "0.1 N*m"}
         )
         assert (there.solve()["drive_life"].si >= 1e9 * 3600.0) == reaches
 
