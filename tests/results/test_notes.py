@@ -95,6 +95,17 @@ def test_a_film_that_carries_load_is_named_where_its_ratio_is_known():
     assert "film_ratio" not in roller()
 
 
+def test_a_film_that_is_computed_asks_for_no_measured_friction():
+    for ratio in (0.9, 1.3, 5.0):
+        note = roller(film_ratio=ratio, with_film=True)["film_ratio"]
+        assert "surfaces that touch" not in note.meaning
+        assert "measured" not in (note.remedy or "")
+    assert (
+        "the rating life has no film factor" in roller(film_ratio=1.3, with_film=True)["film_ratio"].meaning
+    )
+    assert roller(film_ratio=5.0, with_film=True)["film_ratio"].remedy is None
+
+
 def test_one_screen_has_one_advice_on_the_film():
     """Films of every band beside a drive that loses half of its power to the oil: none asks for a thicker one."""
     films = [roller(film_ratio=ratio)["film_ratio"].remedy for ratio in (0.18, 1.5, 5.0)]
@@ -116,7 +127,8 @@ def test_each_contact_has_its_own_numbers(planar_joint):
     found = plausibility(
         joint := planar_joint("planetary", table),
         SimpleNamespace(
-            rolling=SimpleNamespace(film_ratio=np.array([np.nan, 5.0])), contact_names=joint.contact_names
+            rolling=SimpleNamespace(film_ratio=np.array([np.nan, 5.0]), film=None),
+            contact_names=joint.contact_names,
         ),
     )
     values = [(note.value, note.ok) for note in found]
@@ -137,7 +149,7 @@ def test_crowned_contacts_have_two_notes_more(planar_joint):
         "peak_line_load_ratio": np.array([1.0, 1.7]),
     }
     result = SimpleNamespace(
-        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan)),
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), film=None),
         contact_names=("sp", "pr"),
         diagnostics=SimpleNamespace(**along),
     )
@@ -150,7 +162,7 @@ def test_crowned_contacts_have_two_notes_more(planar_joint):
 def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
     printed = planar_joint("planetary", {'contact_factor = "unity"': 'contact_factor = "printed"'})
     result = SimpleNamespace(
-        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan)), contact_names=("sp", "pr")
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), film=None), contact_names=("sp", "pr")
     )
     assert len(plausibility(printed, result)) == len(plausibility(planar_joint("planetary"), result)) + 2
 

@@ -120,9 +120,13 @@ def contact_notes(
     smaller_radius: float,
     effective_radius: float,
     film_ratio: float,
+    with_film: bool = False,
     contact_factor_model: str,
 ) -> list[Note]:
-    """Notes on the friction, length, oil film and size of one contact of any drive."""
+    """Notes on the friction, length, oil film and size of one contact of any drive.
+
+    ``with_film``: whether creep and capacity follow from the film.
+    """
     notes = [
         _note(
             "friction_coefficient",
@@ -148,7 +152,7 @@ def contact_notes(
         ),
     ]
     if math.isfinite(film_ratio):
-        notes.append(_film(name, film_ratio))
+        notes.append(_film(name, film_ratio, with_film))
     if contact_factor_model != "unity":
         notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
     return notes
@@ -201,25 +205,31 @@ def _note(
     return Note(name, label, contact, value, limit, ok, "accuracy", meaning, None if ok else remedy)
 
 
-def _film(contact: str, ratio: float) -> Note:
+def _film(contact: str, ratio: float, with_film: bool) -> Note:
     """The lubrication of a contact: a state with a consequence, never a limit that is kept.
 
     Equally serious in every band, so that a thicker film never counts for less. The thickness of the oil itself is no
-    advice: a thicker film lengthens the life and lowers the friction, and a thicker oil raises its loss.
+    advice: a thicker film lengthens the life and lowers the friction, and a thicker oil raises its loss. ``with_film``:
+    whether creep and capacity follow from the film.
     """
     band = film_band(ratio)
     life = "the rating life has no film factor and is too long"
-    oil = "friction, creep, drift and capacity are computed for surfaces that touch, not for the oil"
-    meaning = {
-        "boundary": f"the asperities carry the load and wear; {life}",
-        "mixed": f"the oil film carries part of the load; {life}; {oil}",
-        "full": f"the oil film carries the load; {oil}",
+    dry = "friction, creep, drift and capacity are computed for surfaces that touch, not for the oil"
+    load = {
+        "boundary": "the asperities carry the load and wear",
+        "mixed": "the oil film carries part of the load",
+        "full": "the oil film carries the load",
     }[band]
+    told = {"boundary": (load, life), "mixed": (load, life, dry), "full": (load, dry)}[band]
+    meaning = "; ".join(part for part in told if not (with_film and part == dry))
     measure = "enter the friction coefficient measured with this oil at this film"
     smoother = (
         "make the surfaces smoother for a longer life; a thicker film also lowers the friction coefficient"
     )
-    remedy = {"boundary": smoother, "mixed": f"{measure}; {smoother}", "full": measure}[band]
+    if with_film:
+        smoother, measure = "make the surfaces smoother for a longer life", ""
+    remedy = {"boundary": (smoother,), "mixed": (measure, smoother), "full": (measure,)}[band]
+    remedies = "; ".join(part for part in remedy if part)
     return Note(
         "film_ratio",
         "film ratio λ (oil film over roughness)",
@@ -229,7 +239,7 @@ def _film(contact: str, ratio: float) -> Note:
         False,
         "state",
         meaning,
-        remedy,
+        remedies or None,
         state=f"{band} lubrication",
     )
 
@@ -286,6 +296,7 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
                 )
             ),
             film_ratio=float(films[index]),
+            with_film=result.rolling.film is not None,
             contact_factor_model=joint.contact_factor_model,
         )
         if crowns is not None and float(crowns[index]) > 0.0:
