@@ -76,11 +76,11 @@ def test_figure_is_in_percent_and_newton_metres_an_arcminute(solved):
         [0.2908882, 5.817764, 87.26646], rel=1e-6
     )  # 1 arcmin is pi/10800
     assert [label.get_text() for label in levels.get_yticklabels()] == [
-        "assembly\nupper bound: pins rigid", "bodies in series", "asperities alone",
+        "assembled\nupper bound: pins rigid", "bodies in series", "asperities alone",
     ]  # fmt: skip
     solved.joint.pin_stiffness = 5e7
     levels = compliance_figure(solved, title="a joint").axes[1]
-    assert levels.get_yticklabels()[0].get_text() == "assembly"
+    assert levels.get_yticklabels()[0].get_text() == "assembled"
 
 
 @pytest.mark.parametrize(("bodies", "said"), [("exact", True), ("springs", False)])

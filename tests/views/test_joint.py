@@ -388,12 +388,13 @@ def test_what_is_assumed_in_short_and_in_full(planetary_view):
     heading, short = assumptions(planetary_view.document, brief="in full with --all")
     assert heading == Heading("Assumptions (in full with --all)")
     assert isinstance(short, Bullets)
-    names, law, fatigue = short.items
+    names, law, oil, fatigue = short.items
     assert names.startswith(
         "not in the file: section [bearings], bearings.pin_diameter, compliance.pin_stiffness, section [play], "
     )
     assert "the bearings have no friction" not in names
     assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
+    assert oil == "friction as stated: no traction data of the oil"
     assert fatigue.startswith("fatigue_strength of material 52100: 588 MPa of specimens")
     told = ["no section [play]: the output has no play", *OF_EVERY_JOINT, "crowns: of every roller, in full"]
     short = assumed({"assumptions": told}, in_full=False)
