@@ -10,6 +10,8 @@ from traction_contacts import oiled_contact, same_layer
 from asperity.contact import (
     asperity,
     carter,
+    creep_capacity,
+    creep_inverse,
     creep_law,
     creep_layer,
     crowned_line,
@@ -229,8 +231,8 @@ def creep_of_oiled_contacts(contact, inlet, layer_factor, share):
         half_width=contact.half_width,
         mean_pressure=0.8 * contact.peak_pressure,
     )
-    capacity = creep_law.traction_capacity(contact=contact, layer_factor=layer_factor)
-    creepage = creep_law.creepage_at_traction(
+    capacity = creep_capacity.traction_capacity(contact=contact, layer_factor=layer_factor)
+    creepage = creep_inverse.creepage_at_traction(
         contact=contact,
         traction=share * capacity.traction,
         layer=same_layer(layer_factor),

@@ -19,13 +19,9 @@ from traction_contacts import (
 )
 
 from asperity.contact import carter, skew
-from asperity.contact.creep_law import (
-    Capacity,
-    creepage_at_traction,
-    elastic_layers_factor,
-    traction_at_creepage,
-    traction_capacity,
-)
+from asperity.contact.creep_capacity import traction_capacity
+from asperity.contact.creep_inverse import creepage_at_traction
+from asperity.contact.creep_law import Capacity, elastic_layers_factor, traction_at_creepage
 from asperity.contact.film_traction import BoundaryFriction, even_slip
 from asperity.contact.fluid import DataSheetTraction, Fluid, LimitingTraction, RheologicalTraction, film_slope
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity

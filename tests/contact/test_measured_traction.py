@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from traction_contacts import LENGTH, LOAD, MODULUS, OILS, oiled_contact
 
-from asperity.contact.creep_law import traction_at_creepage, traction_capacity
+from asperity.contact.creep_capacity import traction_capacity
+from asperity.contact.creep_law import traction_at_creepage
 from asperity.contact.film_traction import MixedContact
 from asperity.contact.fluid import DataSheetTraction, Fluid
 from asperity.contact.measured_traction import (

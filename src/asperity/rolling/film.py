@@ -6,14 +6,9 @@ import dataclasses
 import math
 from typing import NamedTuple
 
-from asperity.contact.creep_law import (
-    NEAR_CAPACITY,
-    Capacity,
-    LayerFactor,
-    creepage_at_traction,
-    traction_at_creepage,
-    traction_capacity,
-)
+from asperity.contact.creep_capacity import traction_capacity
+from asperity.contact.creep_inverse import creepage_at_traction
+from asperity.contact.creep_law import NEAR_CAPACITY, Capacity, LayerFactor, traction_at_creepage
 from asperity.contact.film_thickness import FilmInlet, central_film_by, inlet_heat_factor
 from asperity.contact.film_traction import BoundaryFriction, MixedContact
 from asperity.contact.fluid import RheologicalTraction

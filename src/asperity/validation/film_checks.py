@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from asperity.contact.creep_law import elastic_layers_factor, traction_at_creepage, traction_capacity
+from asperity.contact.creep_capacity import traction_capacity
+from asperity.contact.creep_law import elastic_layers_factor, traction_at_creepage
 from asperity.contact.film_traction import MixedContact
 from asperity.contact.fluid import Fluid, LimitingTraction, RheologicalTraction
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
