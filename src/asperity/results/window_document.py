@@ -177,7 +177,7 @@ def _ended(window: Window, number: int) -> str | None:
 def verdict(window: Window) -> Document:
     """Whether all loads lie inside where the joint works: ``inside``, a ``title``, and further ``words``."""
     number = window.working
-    where = f"at {format_quantity(window.axis.working, window.axis.unit)}"
+    where = f"at {_on_axis(window, window.axis.working)}"
     if window.axis.over == "preload":
         where = f"{where} of {window.axis.label}"
     loads, outside = window.loads, [load for load in window.loads if not load.inside[number]]
@@ -271,7 +271,7 @@ def _end(window: Window, number: int, way: int) -> str:
 
 
 def _at(window: Window, number: int) -> str:
-    return format_quantity(float(window.at[number]), window.axis.unit)
+    return _on_axis(window, float(window.at[number]))
 
 
 def window_columns(window: Window) -> dict[str, np.ndarray]:
@@ -289,3 +289,8 @@ def window_columns(window: Window) -> dict[str, np.ndarray]:
         for border in borders(window, region):
             columns[f"{way}{border.limit}_Nm"] = border.torque
     return columns
+
+
+def _on_axis(window: Window, value: float) -> str:
+    """A value of the axis with its unit, micrometres as people write them."""
+    return format_quantity(value, window.axis.unit.replace("um", "µm"))
