@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from asperity.api.design import design
     from asperity.api.documents import draw, write_report
     from asperity.api.export import export_joint
+    from asperity.api.film import film
     from asperity.api.joint import load
     from asperity.api.rolling import roll
     from asperity.api.structure import dynamics, loads
@@ -34,6 +35,7 @@ _OFFERED = {
     "draw": "asperity.api.documents",
     "dynamics": "asperity.api.structure",
     "export_joint": "asperity.api.export",
+    "film": "asperity.api.film",
     "load": "asperity.api.joint",
     "loads": "asperity.api.structure",
     "measure_surface": "asperity.api.surface",
@@ -55,6 +57,7 @@ __all__ = [
     "dynamics",
     "errors",
     "export_joint",
+    "film",
     "load",
     "loads",
     "measure_surface",
