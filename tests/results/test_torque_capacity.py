@@ -226,7 +226,7 @@ def test_a_joint_without_judged_rows_slips(monkeypatch, with_cam):
     """Where no row is judged the capacity is that of the search, whose lower bound is said to be one."""
     from asperity.results import torque_capacity as module
 
-    monkeypatch.setattr(module, "_rows_of", lambda solved: [])
+    monkeypatch.setattr(module, "_rows_of", lambda solved, rows: [])
     bare = SolvedJoint(with_cam.joint, with_cam.result, with_cam.laws)
     bare.solution = with_cam.solution
     found = torque_capacity_document(bare)
