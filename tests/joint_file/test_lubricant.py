@@ -335,3 +335,13 @@ def test_an_oil_creeps_more_and_carries_less_than_its_boundary_friction(name):
     oily, plain = (solve_joint(joint) for joint in (oiled_joint, dry))
     assert float(oily.rolling_capacity.output_torque) < float(plain.rolling_capacity.output_torque)
     assert "made up" in (EXAMPLES / "measured_oil.csv").read_text()
+
+
+def test_what_the_film_lacks_is_said():
+    """The paper's steel has no thermal properties, and its surfaces by D and G no heights."""
+    text = (EXAMPLES / "zou2025.toml").read_text() + '\n[lubrication]\nfluid = "Santotrac 50"\n' + TEMPERATURE
+    said = " ".join(assumptions(parse_case(text, source="x")))
+    assert "no flash temperature of its contacts, and the heat of slip warms the film by its own conduction" in said
+    assert "no film ratio λ; the film carries the whole load, the asperities nothing" in said
+    plain = " ".join(assumptions(parse_case((EXAMPLES / "zou2025.toml").read_text(), source="x")))
+    assert "warms the film" not in plain

@@ -42,7 +42,7 @@ def oil(file: Described) -> Iterator[str]:
         yield "no section [lubrication]: no oil and no oil loss at the inlet of the contacts"
         return
     lubricant = file.joint.rolling.lubricant
-    if lubricant is None or lubricant.fluid.traction is None:
+    if not _with_film(file):
         yield "friction as stated: no traction data of the oil"
     if lubricant is not None:
         yield from _fluid(file, lubricant)
@@ -50,12 +50,21 @@ def oil(file: Described) -> Iterator[str]:
         yield "no lubrication.pressure_coefficient: no film thickness"
     elif stated.roughness is None:
         if file.joint.rolling.roughness is None:
-            yield "no lubrication.roughness, and no Ra of every surface: no film ratio λ"
+            alone = (
+                "" if not _with_film(file) else "; the film carries the whole load, the asperities nothing"
+            )
+            yield f"no lubrication.roughness, and no Ra of every surface: no film ratio λ{alone}"
         else:
             yield (
                 "no lubrication.roughness: that of normally distributed heights, Rq = sqrt(pi/2) Ra = 1.2533 Ra of "
                 "both surfaces together"
             )
+
+
+def _with_film(file: Described) -> bool:
+    """Whether creep and capacity in rolling follow from the film of an oil."""
+    lubricant = file.joint.rolling.lubricant
+    return lubricant is not None and lubricant.fluid.traction is not None
 
 
 def _fluid(file: Described, lubricant: Lubricant) -> Iterator[str]:
@@ -105,7 +114,8 @@ def _fluid(file: Described, lubricant: Lubricant) -> Iterator[str]:
 
 def heat(file: Described) -> Iterator[str]:
     """Materials whose thermal properties are not stated."""
-    case, _ = file
+    case = file.case
+    cooler = ", and the heat of slip warms the film by its own conduction alone" if _with_film(file) else ""
     names = (name for body, name in case.bodies.items() if case.housing is None or body != HOUSING)
     for name in dict.fromkeys(names):
         material = case.materials[name]
@@ -115,4 +125,4 @@ def heat(file: Described) -> Iterator[str]:
             if getattr(material, key) is None
         ]
         if absent:
-            yield f"no {' and '.join(absent)} of material {name}: no flash temperature of its contacts"
+            yield f"no {' and '.join(absent)} of material {name}: no flash temperature of its contacts{cooler}"
