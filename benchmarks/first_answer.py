@@ -29,6 +29,7 @@ JOINTS = (
     "planar",
     "tutorial_joint",
     "zou2025",
+    "oil",
 )
 COMMANDS = ("roll", "windup", "loads", "draw", "crown", "dynamics")
 OPTIONS = {"draw": ("--out", "drawing.svg"), "crown": ("--tilt", "0.5 mrad")}
