@@ -341,7 +341,10 @@ def test_what_the_film_lacks_is_said():
     """The paper's steel has no thermal properties, and its surfaces by D and G no heights."""
     text = (EXAMPLES / "zou2025.toml").read_text() + '\n[lubrication]\nfluid = "Santotrac 50"\n' + TEMPERATURE
     said = " ".join(assumptions(parse_case(text, source="x")))
-    assert "no flash temperature of its contacts, and the heat of slip warms the film by its own conduction" in said
+    assert (
+        "no flash temperature of its contacts, and the heat of slip warms the film by its own conduction"
+        in said
+    )
     assert "no film ratio λ; the film carries the whole load, the asperities nothing" in said
     plain = " ".join(assumptions(parse_case((EXAMPLES / "zou2025.toml").read_text(), source="x")))
     assert "warms the film" not in plain
