@@ -8,9 +8,6 @@ page as they are, and needs no Chromium.
 from __future__ import annotations
 
 import io
-import re
-import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -53,28 +50,14 @@ def saved(picture: Image.Image, name: str, *, width: int, colours: int) -> str:
 
 def screens() -> None:
     """Pictures of the page, each at one width of the window."""
-    from playwright.sync_api import sync_playwright
+    from page_in_browser import served
 
-    command = "from asperity.cli import main; main()"
-    options = ["serve", str(EXAMPLES / "planetary.toml"), "--port", "0", "--no-browser"]
-    server = subprocess.Popen([sys.executable, "-c", command, *options], stderr=subprocess.PIPE, text=True)
-    try:
-        assert server.stderr is not None
-        address = re.search(r"http://127\.0\.0\.1:\d+/", server.stderr.readline())
-        assert address, "the server did not start"
-        with sync_playwright() as driver:
-            browser = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-            for width, (height, _) in WINDOWS.items():
-                page = browser.new_page(viewport={"width": width, "height": height})
-                page.goto(address.group())
-                page.wait_for_selector("html[data-state=ready]", timeout=300_000)
-                taken = Image.open(io.BytesIO(page.screenshot()))
-                saved(taken, f"page_{width}", width=min(width, 1100), colours=96)
-                page.close()
-            browser.close()
-    finally:
-        server.terminate()
-        server.wait()
+    with served(EXAMPLES / "planetary.toml") as opened:
+        for width, (height, _) in WINDOWS.items():
+            page = opened(width, height)
+            taken = Image.open(io.BytesIO(page.screenshot()))
+            saved(taken, f"page_{width}", width=min(width, 1100), colours=96)
+            page.close()
 
 
 def sheet(name: str) -> str:
