@@ -15,22 +15,19 @@ NOTES = [f"note {number}" for number in range(12)]
 def square(size, around=10.0):
     """A view of a square [mm] with room for dimensions on each side."""
     return lambda scale: [
-        Room(*([-0.5 * scale * size - around, 0.5 * scale * size + around] * 2), (scale * size,) * 2)
+        Room(Box(*([-0.5 * scale * size - around, 0.5 * scale * size + around] * 2)), (scale * size,) * 2)
     ]
 
 
 def three(scale):
     """A flat section, a view, and forces, which need not be level."""
     return [
-        Room(-5.0, 5.0 * scale + 30.0, -60.0 * scale, 60.0 * scale + 6.0, (5.0 * scale, 120.0 * scale)),
+        Room(Box(-5.0, 5.0 * scale + 30.0, -60.0 * scale, 60.0 * scale + 6.0), (5.0 * scale, 120.0 * scale)),
         Room(
-            -60.0 * scale - 20.0,
-            60.0 * scale + 40.0,
-            -60.0 * scale - 10.0,
-            60.0 * scale,
+            Box(-60.0 * scale - 20.0, 60.0 * scale + 40.0, -60.0 * scale - 10.0, 60.0 * scale),
             (120.0 * scale,) * 2,
         ),
-        Room(-40.0, 40.0, -20.0, 50.0, level=False),
+        Room(Box(-40.0, 40.0, -20.0, 50.0), level=False),
     ]
 
 
@@ -50,7 +47,8 @@ def test_nothing_overlaps_and_all_is_inside_the_frame(views):
     assert [line for _, line in found.notes if line.strip()] == NOTES
     assert paper.middle == found.origins[0]
     for room, (x, y), box in zip(views(paper.scale), found.origins, found.boxes, strict=True):
-        assert box == pytest.approx((x + room.left, x + room.right, y + room.low, y + room.high))
+        left, right, low, high = room.box
+        assert box == pytest.approx((x + left, x + right, y + low, y + high))
     assert len({y for room, (_, y) in zip(views(paper.scale), found.origins, strict=True) if room.level}) == 1
 
 
@@ -83,7 +81,10 @@ def test_what_fills_no_sheet_has_one_of_its_size():
     def bar(scale):
         wide, high = 400.0 * scale, 20.0 * scale
         return [
-            Room(-0.5 * wide - 10.0, 0.5 * wide + 10.0, -0.5 * high - 10.0, 0.5 * high + 10.0, (wide, high))
+            Room(
+                Box(-0.5 * wide - 10.0, 0.5 * wide + 10.0, -0.5 * high - 10.0, 0.5 * high + 10.0),
+                (wide, high),
+            )
         ]
 
     found = arranged(bar, size=400.0)
@@ -94,7 +95,7 @@ def test_what_fills_no_sheet_has_one_of_its_size():
 
 def test_large_diagrams_of_forces_beside_a_small_drive_have_a_sheet():
     """Forces of 201 mm by 238 mm beside a drive of 96 mm, for which A3 has no room and A2 would enlarge it."""
-    forces = Room(-100.5, 100.5, -119.0, 119.0, level=False)
+    forces = Room(Box(-100.5, 100.5, -119.0, 119.0), level=False)
     found = arranged(lambda scale: [*square(96.0)(scale), forces], lines=NOTES * 4, size=96.0)
     assert found.paper.scale <= 1.0 or found.paper.width <= 420.0
 

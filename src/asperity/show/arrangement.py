@@ -25,10 +25,8 @@ _LINES_BESIDE_TITLE = math.floor((BLOCK_HEIGHT - _INSET) / SPACING)
 #: Area of views with their dimensions, notes and title block over that of the sheet, which a sheet has at least if it
 #: can.
 LEAST_DRAWN = 0.35
-_LEAST_OUTLINED, _BESIDE_FORCES = (
-    0.11,
-    0.07,
-)  # likewise of the outlines of the views alone, also beside forces
+#: Likewise of the outlines of the views alone, without and beside forces.
+_LEAST_OUTLINED, _BESIDE_FORCES = 0.11, 0.07
 _LEAST_SEEN = 5.0  # size of the drawing on paper below which nobody sees anything on it [mm]
 
 
@@ -39,27 +37,9 @@ class Room(NamedTuple):
     other views; otherwise it may stand anywhere.
     """
 
-    left: float
-    right: float
-    low: float
-    high: float
+    box: Box
     outlined: tuple[float, float] = (0.0, 0.0)
     level: bool = True
-
-    @property
-    def width(self) -> float:
-        """From left to right [mm]."""
-        return self.right - self.left
-
-    @property
-    def height(self) -> float:
-        """From its lower to its upper edge [mm]."""
-        return self.high - self.low
-
-    def at(self, origin: Point) -> Box:
-        """The room around an origin on paper [mm]."""
-        x, y = origin
-        return Box(x + self.left, x + self.right, y + self.low, y + self.high)
 
 
 #: Origins of the views, places of the lines of the notes, and width of the title block, all on paper [mm].
@@ -151,7 +131,7 @@ def _arrangement(
 ) -> Arrangement:
     """A sheet with its views and notes in places that were tried."""
     places, texts, title_width = tried
-    boxes = tuple(room.at(place) for room, place in zip(rooms, places, strict=True))
+    boxes = tuple(room.box.moved(place) for room, place in zip(rooms, places, strict=True))
     paper = Paper(form.width, form.height, places[origin], scale, title_width)
     area = form.width * form.height
     drawn = covered([*boxes, *([_around_notes(texts)] if texts else []), paper.title_box]) / area
@@ -179,10 +159,10 @@ def _with_column(form: Format, rooms: Sequence[Room], lines: Sequence[str]) -> I
     right = form.width - MARGIN - _INSET
     free = None if not rooms or rooms[-1].level else rooms[-1]
     for in_row in (True, False) if free else (True,):
-        wide = BLOCK_WIDTH - _INSET if in_row or free is None else max(BLOCK_WIDTH - _INSET, free.width)
+        wide = BLOCK_WIDTH - _INSET if in_row or free is None else max(BLOCK_WIDTH - _INSET, free.box.width)
         texts = columns_of(lines, _WRAP * wide, 1)[0]
         top = low + SPACING * len(texts)
-        above = 0.0 if in_row or free is None else free.height + _GAP
+        above = 0.0 if in_row or free is None else free.box.height + _GAP
         if top + above > high:
             continue
         row = rooms if in_row else rooms[:-1]
@@ -224,12 +204,12 @@ def _with_band(
 def _row(rooms: Sequence[Room], inside: Box) -> list[Point] | None:
     """Origins of views beside each other, spread over a box [mm]; None if they do not fit into it."""
     level = [room for room in rooms if room.level]
-    low, high = min(room.low for room in level), max(room.high for room in level)
-    spare = inside.width - sum(room.width for room in rooms)
+    low, high = min(room.box.low for room in level), max(room.box.high for room in level)
+    spare = inside.width - sum(room.box.width for room in rooms)
     if (
         spare < _GAP * (len(rooms) - 1)
         or high - low > inside.height
-        or any(room.height > inside.height for room in rooms)
+        or any(room.box.height > inside.height for room in rooms)
     ):
         return None
     between = max(_GAP, spare / (len(rooms) + 1)) if len(rooms) > 1 else 0.0
@@ -237,12 +217,14 @@ def _row(rooms: Sequence[Room], inside: Box) -> list[Point] | None:
     axis = inside.low + 0.5 * (inside.height - high - low)
     origins = []
     for room in rooms:
-        y = axis if room.level else 0.5 * (inside.low + inside.high - room.low - room.high)
-        origins.append((x - room.left, y))
-        x += room.width + between
+        y = axis if room.level else 0.5 * (inside.low + inside.high - room.box.low - room.box.high)
+        origins.append((x - room.box.left, y))
+        x += room.box.width + between
     return origins
 
 
 def _centred(room: Room, middle: Point) -> Point:
     """The origin of a view around a middle [mm]."""
-    return middle[0] - 0.5 * (room.left + room.right), middle[1] - 0.5 * (room.low + room.high)
+    return middle[0] - 0.5 * (room.box.left + room.box.right), middle[1] - 0.5 * (
+        room.box.low + room.box.high
+    )

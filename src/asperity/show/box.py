@@ -33,6 +33,11 @@ class Box(NamedTuple):
         """From its lower to its upper edge [mm]."""
         return self.high - self.low
 
+    def moved(self, by: Point) -> Box:
+        """The same box somewhere else."""
+        x, y = by
+        return Box(x + self.left, x + self.right, y + self.low, y + self.high)
+
     def meets(self, other: Box) -> bool:
         """Whether it overlaps another one."""
         return (

@@ -211,10 +211,12 @@ def _rooms(contents: _Contents, listed: frozenset[int], scale: float) -> list[Ro
     )
     rooms = [
         Room(
-            min(around.left, scale * outlined.left - max(left, _BEYOND_AXES)),
-            max(around.right, scale * outlined.right + max(right, _BEYOND_AXES)),
-            min(around.low - below, scale * outlined.low - _BEYOND_AXES),
-            max(around.high, scale * outlined.high + _BEYOND_AXES),
+            Box(
+                min(around.left, scale * outlined.left - max(left, _BEYOND_AXES)),
+                max(around.right, scale * outlined.right + max(right, _BEYOND_AXES)),
+                min(around.low - below, scale * outlined.low - _BEYOND_AXES),
+                max(around.high, scale * outlined.high + _BEYOND_AXES),
+            ),
             (scale * outlined.width, scale * outlined.height),
         )
     ]
@@ -222,10 +224,10 @@ def _rooms(contents: _Contents, listed: frozenset[int], scale: float) -> list[Ro
         cut, _ = _section_items(contents, scale, 0.0)
         along = drive_section(joint, scale)
         size = scale * along.width, scale * (along.height + along.depth)
-        rooms.insert(0, Room(*_on_room([box_of(item, scale) for item in cut], scale), size))
+        rooms.insert(0, Room(_on_room([box_of(item, scale) for item in cut], scale), size))
     if contents.forces:
         box = around_all(box_of(item, 1.0) for item in contents.forces)
-        rooms.append(Room(*box, level=False))
+        rooms.append(Room(box, level=False))
     return rooms
 
 

@@ -9,7 +9,7 @@ from asperity.joint.description import Joint, body_masses, places, tracks_of
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedParts
 from asperity.show.arrangement import Room, arrange
-from asperity.show.box import around_all, box_of
+from asperity.show.box import Box, around_all, box_of
 from asperity.show.dimension_lines import diameter, dimension, toleranced
 from asperity.show.drive_notes import crown_lines
 from asperity.show.drive_sizes import Size, contact_interferences, counted_name, kinds, made_inside
@@ -98,12 +98,14 @@ def _rooms(
     reach = scale * max(size.radius or 0.0 for size in sizes)
     _, right, below = room_of_dimensions(sizes, [], listed, right=reach / scale, scale=scale)
     return [
-        Room(left, right_end, low, high, (scale * along.width, scale * (along.height + along.depth))),
+        Room(Box(left, right_end, low, high), (scale * along.width, scale * (along.height + along.depth))),
         Room(
-            -reach - _BEYOND_AXES,
-            reach + max(_BEYOND_AXES, right),
-            -reach - max(_BEYOND_AXES, below),
-            reach + _BEYOND_AXES,
+            Box(
+                -reach - _BEYOND_AXES,
+                reach + max(_BEYOND_AXES, right),
+                -reach - max(_BEYOND_AXES, below),
+                reach + _BEYOND_AXES,
+            ),
             (2.0 * reach, 2.0 * reach),
         ),
     ]
