@@ -72,10 +72,12 @@ def test_oils_of_the_library_are_those_of_an_independent_prototype(name, celsius
     assert conditions.lubricant.temperature == pytest.approx(celsius + 273.15)
 
 
-@pytest.mark.parametrize("name", ["N100", "M100", "PAO100", "santotrac-50"])
-def test_films_of_the_library_are_those_that_the_contact_is_tested_with(name):
-    known = OILS["S50" if name == "santotrac-50" else name]
-    assert rolling(oiled(f'fluid = "{name}"')).lubricant.fluid == known
+@pytest.mark.parametrize("spelling", ["santotrac-50", "S50", "Santotrac50"])
+def test_an_oil_of_the_library_has_several_spellings(spelling):
+    assert (
+        rolling(oiled(f'fluid = "{spelling}"')).lubricant
+        == rolling(oiled('fluid = "Santotrac 50"')).lubricant
+    )
 
 
 def test_walther_meets_both_viscosities_and_is_straight_in_its_chart():

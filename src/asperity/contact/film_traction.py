@@ -22,7 +22,7 @@ WEIGHTS = 0.5 * math.pi * _GAUSS * np.cos(_ANGLES)
 #: Pressure there over its peak.
 SHAPE = np.cos(_ANGLES)
 
-#: Warming of a film up to which its temperature is sought [K].
+#: Warming of a film up to which its temperature is sought; beyond, nothing is known of it [K].
 MOST_WARMING = 1000.0
 #: Relative change of it after which Newton's next one, its square, is not taken [-].
 _SMALL_WARMING = 1e-5
@@ -159,6 +159,7 @@ def even_slip(*, contact: MixedContact, creepage: Array, guess: Array | float = 
     -------
     EvenSlip
         At the temperature of the film that its heat makes: the heat falls with the temperature, so that there is one.
+        nan where it would warm by more than 1000 K.
 
     References
     ----------
@@ -169,6 +170,7 @@ def even_slip(*, contact: MixedContact, creepage: Array, guess: Array | float = 
     warming = elementwise_root(
         _warmer_than_heated, (contact, creepage), *ends, nothing + guess, small_step=_SMALL_WARMING
     )
+    warming = xp.where(warming < MOST_WARMING, warming, xp.nan)
     return slip_at_warming(contact=contact, creepage=creepage, warming=warming)
 
 

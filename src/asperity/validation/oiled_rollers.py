@@ -15,17 +15,11 @@ import numpy as np
 from asperity.bem.film_rolling import FilmRolling, film_rolling
 from asperity.contact.film_thickness import FilmInlet, central_film_thickness, inlet_heat_factor
 from asperity.contact.film_traction import BoundaryFriction, MixedContact, even_slip, local_stress
-from asperity.contact.fluid import Fluid, LimitingTraction, RheologicalTraction
+from asperity.contact.fluid import Fluid
 from asperity.contact.load_sharing import LoadSharing, shared_load
-from asperity.contact.viscosity import (
-    ExponentialViscosity,
-    RationalPressureRise,
-    RoelandsPressureRise,
-    Viscosity,
-    WaltherViscosity,
-    reciprocal_asymptotic_coefficient,
-)
+from asperity.contact.viscosity import reciprocal_asymptotic_coefficient
 from asperity.engine.arrays import xp
+from asperity.joint_file.lubricant import lubricant_of
 from asperity.types import Array, Real
 
 MODULUS, LENGTH, LOAD = 206e9 / (2.0 * (1.0 - 0.3**2)), 10e-3, 2000.0
@@ -35,28 +29,17 @@ PEAK = 2.0 * LOAD / (math.pi * HALF_WIDTH * LENGTH)
 EFFUSIVITY = math.sqrt(46.0 * 7800.0 * 460.0)
 
 
-def _exponential_oil(
-    base: tuple[float, float, float], rise: tuple[float, float, float, float], limit: float
-) -> Fluid:
-    """An oil whose viscosity and its rise with pressure are rational functions of the temperature in exponents."""
-    viscosity = Viscosity(ExponentialViscosity(*base), RationalPressureRise(*rise))
-    return Fluid(viscosity, RheologicalTraction(LimitingTraction(limit), 0.5e9, "eyring"), 0.14)
+def _library_oil(name: str) -> Fluid:
+    """An oil of the library with a film of 0.5 GPa."""
+    lubricant = lubricant_of({"lubrication": {"fluid": name}, "temperature": {"working": 0.0}})
+    assert lubricant is not None
+    return lubricant.fluid
 
 
-#: A. Arana et al., Proc. IMechE J 233 (2019) 303: naphthenic, paraffinic and polyalphaolefin oils of 100 mm²/s; the
-#: traction fluid Santotrac 50 by P. K. Gupta's tables.
+#: Four oils of the library: naphthenic, paraffinic, polyalphaolefin, and the traction fluid Santotrac 50.
 OILS = {
-    "N100": _exponential_oil((161.60e-6, 650.0, -206.0), (-7.23e7, 3.48e5, 5.00e-3, -1.83e-5), 0.053),
-    "M100": _exponential_oil((86.86e-6, 890.0, -182.0), (-2.28e7, 2.26e5, -68.20e-3, 27.68e-5), 0.047),
-    "PAO100": _exponential_oil((12.26e-6, 1740.0, -116.0), (-5.73e7, 3.90e5, -39.50e-3, 23.54e-5), 0.035),
-    "S50": Fluid(
-        Viscosity(
-            WaltherViscosity(9.5363, 3.7452, 0.8, 820.0, 0.621, 422.222),
-            RoelandsPressureRise(3.916e-8, 0.0083178, 277.78),
-        ),
-        RheologicalTraction(LimitingTraction(0.0765, -4e-4, 27e6, 0.35e6, 386.15), 0.5e9, "limit"),
-        0.104,
-    ),
+    short: _library_oil(name)
+    for short, name in {"N100": "N100", "M100": "M100", "PAO100": "PAO100", "S50": "Santotrac50"}.items()
 }
 
 
