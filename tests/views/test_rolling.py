@@ -92,7 +92,7 @@ def test_a_sun_that_stands_has_no_losses_and_says_why(view_of):
 
 
 def test_contacts_in_rolling_by_their_units(planetary_view):
-    """Pressure by Hertz; slip T/(mu N); creepage by Carter, in thousandths, times what the asperities add.
+    """Pressure by Hertz; slip ratio T/(mu N); creepage by Carter, in thousandths, times what the asperities add.
 
     b² = 4 N R/(pi E* L), p = 2 N/(pi b L), creepage mu b/R (1 - sqrt(1 - T/(mu N))); L = 10 mm, of two bodies of 52100.
     """
@@ -104,7 +104,7 @@ def test_contacts_in_rolling_by_their_units(planetary_view):
         contact = planetary_view.document["rolling"]["contacts"][name]
         cells_of = zip(heads[1:], cells(shown)[name], strict=True)
         row = {head: float(cell) for head, cell in cells_of}
-        normal, slip = contact["normal_N"], row["slip T/(mu N) -"]
+        normal, slip = contact["normal_N"], row["slip ratio -"]
         half_width = math.sqrt(4.0 * normal * radius / (math.pi * modulus * length))
         hertz = row["Hertz pressure MPa"]
         assert hertz == four(1e-6 * 2.0 * normal / (math.pi * half_width * length))

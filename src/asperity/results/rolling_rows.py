@@ -58,11 +58,11 @@ ROWS = (
     ),
     _contact_ratio(
         "rolling_slip_ratio",
-        "slip ratio T/(mu N) in rolling",
+        "slip ratio in rolling",
         value="result.rolling.slip_ratio",
-        note="friction used by skew is not counted as available; with an oil whose traction is known, over what its "
-        "film and the asperities bear",
-        column=Column("rolling", "slip T/(mu N)"),
+        note="T over mu N less what skew uses; with an oil whose traction is known, over what its film and the "
+        "asperities bear",
+        column=Column("rolling", "slip ratio"),
         place="rolling.contacts.*.slip_ratio",
     ),
     _contact_ratio(
