@@ -8,16 +8,17 @@ import pytest
 from scipy.integrate import quad
 from traction_contacts import EFFUSIVITY, HALF_WIDTH, LENGTH, PEAK, dry_contact, oiled_contact
 
+from asperity.contact.creep_bounds import SHAPE, width_mean
 from asperity.contact.film_traction import (
     MOST_WARMING,
-    PLACES,
-    SHAPE,
     BoundaryFriction,
     even_slip,
     local_stress,
     slip_at_warming,
-    width_mean,
 )
+
+#: Places over the half-width at which the pressure over its peak is SHAPE.
+PLACES = np.sqrt(1.0 - SHAPE**2)
 
 
 def test_friction_over_the_slip_speed():

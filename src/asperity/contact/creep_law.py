@@ -21,7 +21,8 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from asperity.contact.film_traction import EvenSlip, MixedContact, even_slip, width_mean
+from asperity.contact.creep_bounds import bounded_stress
+from asperity.contact.film_traction import EvenSlip, MixedContact, even_slip
 from asperity.contact.fluid import FilmBody
 from asperity.contact.skew import turn_exponent
 from asperity.engine.arrays import xp
@@ -201,18 +202,16 @@ def slip_forces(
     Equation (F5) of :doc:`/equations`.
     """
     size = slip_size(contact, creepage)
-    bodies = 0.5 * contact.contact_modulus * size / factor
-    slid = 0.25 * math.pi * bodies / slides.mean  # creepage over that at which all would slip
-    used = xp.minimum(slid, 1.0)
-    upper = slides.mean * used * (2.0 - used)
-    lower = width_mean(bodies * xp.arctan(slides.stress / bodies))
-    exponent = xp.clip(slides.exponent, 0.0, 1.0)
-    blend = 4.0 * exponent / (1.0 + 3.0 * exponent)
-    area = 2.0 * contact.half_width * contact.contact_length
-    traction = area * (upper + blend * (lower - upper))
+    found = bounded_stress(
+        stress=slides.stress,
+        mean=slides.mean,
+        bodies=0.5 * contact.contact_modulus * size / factor,
+        exponent=slides.exponent,
+    )
+    traction = 2.0 * contact.half_width * contact.contact_length * found.mean
     if contact.lateral_creepage is None:
         return traction, 0.0 * traction
-    turned = contact.lateral_creepage * contact.lateral_ratio ** turn_exponent(slid)
+    turned = contact.lateral_creepage * contact.lateral_ratio ** turn_exponent(found.slid)
     length = xp.sqrt(creepage**2 + turned**2)
     return traction * creepage / length, traction * turned / length
 

@@ -6,21 +6,12 @@ import itertools
 import math
 from typing import NamedTuple
 
-import numpy as np
-
+from asperity.contact.creep_bounds import SHAPE, along_places, width_mean
 from asperity.contact.fluid import Film, FilmTraction, Fluid
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module, static
 from asperity.implicit import elementwise_root
 from asperity.types import Array, Real
-
-_NODES, _GAUSS = np.polynomial.legendre.leggauss(16)
-#: Angles phi of the places x = a sin(phi) on half of the width, and weights of both halves over the half-width.
-_ANGLES = 0.25 * math.pi * (1.0 + _NODES)
-PLACES = np.sin(_ANGLES)
-WEIGHTS = 0.5 * math.pi * _GAUSS * np.cos(_ANGLES)
-#: Pressure there over its peak.
-SHAPE = np.cos(_ANGLES)
 
 #: Warming of a film up to which its temperature is sought; beyond, nothing is known of it [K].
 MOST_WARMING = 1000.0
@@ -204,7 +195,7 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
     slip = creepage * contact.rolling_speed
     stress, rise = local_stress(
         contact=contact,
-        pressure_shape=xp.asarray(_along(SHAPE, contact.film_share * contact.peak_pressure)),
+        pressure_shape=xp.asarray(along_places(SHAPE, contact.film_share * contact.peak_pressure)),
         slip_speed=slip,
         warming=warming,
     )
@@ -256,31 +247,6 @@ def local_stress(
     coefficient, friction_slope = contact.friction.at(slip_speed)
     pressure = pressure_shape * (contact.asperity_share * contact.peak_pressure)
     return coefficient * pressure + film_stress, friction_slope * pressure + film_slope * film_stress
-
-
-def width_mean(stress: Array) -> Array:
-    r"""Mean over the width of a stress that is symmetric across the contact, :math:`\int \tau\,dx/2a`.
-
-    Parameters
-    ----------
-    stress : Array
-        At :data:`PLACES` of half of the width, shape (16, contacts, ...) [Pa].
-
-    Returns
-    -------
-    Array
-        Mean, shape (contacts, ...) [Pa].
-
-    References
-    ----------
-    Gauss's quadrature over phi with x = a sin phi; equation (F4) of :doc:`/equations`.
-    """
-    return 0.5 * (_along(WEIGHTS, stress[0]) * stress).sum(axis=0)
-
-
-def _along(values: np.ndarray, of: Array) -> np.ndarray:
-    """Numbers of the places before the axes of an array."""
-    return values.reshape(-1, *(1 for _ in xp.shape(of)))
 
 
 def _resistance_to_heat(contact: MixedContact) -> Array:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from asperity.contact.creep_bounds import SHAPE, along_places, bounded_stress
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.types import Array, Real
@@ -18,10 +19,6 @@ if TYPE_CHECKING:
 
 #: Creepage that a film adds whose curve has its elastic yield in it: none that can be told from its slip.
 _NO_YIELD = 1e-12
-#: 16 Gauss points over half of the width: pressure over its peak there, and weights of both halves.
-_NODES, _GAUSS = np.polynomial.legendre.leggauss(16)
-_ANGLES = 0.25 * math.pi * (1.0 + _NODES)
-_PRESSURES, _WEIGHTS = np.cos(_ANGLES), 0.5 * math.pi * _GAUSS * np.cos(_ANGLES)
 #: Rounds in which the exponents of a curve settle, and how far they still move then.
 _MOST_ROUNDS, _SETTLED = 400, 1e-10
 
@@ -233,8 +230,7 @@ def even_slip_coefficients(
     stick = rig_modulus / rig_peak_pressure * creepage
     even = coefficient.copy()
     for _ in range(_MOST_ROUNDS):
-        exponent = np.clip(_monotone_slopes(np.log(creepage), np.log(even)), 0.0, 1.0)
-        found = _solved(stick, coefficient, 4.0 * exponent / (1.0 + 3.0 * exponent))
+        found = _solved(stick, coefficient, _monotone_slopes(np.log(creepage), np.log(even)))
         moved = np.max(np.abs(np.log(found / even)))
         even = np.sqrt(even * found)
         if moved < _SETTLED:
@@ -242,26 +238,26 @@ def even_slip_coefficients(
     return np.full_like(even, np.nan)
 
 
-def _solved(stick: np.ndarray, wanted: np.ndarray, blend: np.ndarray) -> np.ndarray:
+def _solved(stick: np.ndarray, wanted: np.ndarray, exponent: np.ndarray) -> np.ndarray:
     """Even-slip coefficients by which the law of creep gives the wanted ones, all below the stick line."""
     low, high = np.log(wanted), np.log(wanted)
-    while np.any(short := _of_law(stick, np.exp(high), blend) < wanted):
+    while np.any(short := _of_law(stick, np.exp(high), exponent) < wanted):
         high = high + np.where(short, 1.0, 0.0)
         if np.any(high > 40.0):
             return np.full_like(wanted, np.nan)
     for _ in range(60):
         middle = 0.5 * (low + high)
-        below = _of_law(stick, np.exp(middle), blend) < wanted
+        below = _of_law(stick, np.exp(middle), exponent) < wanted
         low, high = np.where(below, middle, low), np.where(below, high, middle)
     solved: np.ndarray = np.exp(0.5 * (low + high))
     return solved
 
 
-def _of_law(stick: np.ndarray, even: np.ndarray, blend: np.ndarray) -> np.ndarray:
-    """Traction coefficients of elastic discs by the law of creep, from those of rigid ones."""
-    used = np.minimum(stick / even, 2.0)
-    upper = even * used * (1.0 - 0.25 * used)
-    angles = np.arctan(2.0 * even / stick * _PRESSURES[:, None])
-    lower = stick / math.pi * (_WEIGHTS @ angles)
-    law: np.ndarray = upper + blend * (lower - upper)
-    return law
+def _of_law(stick: np.ndarray, even: np.ndarray, exponent: np.ndarray) -> np.ndarray:
+    """Traction coefficients of elastic discs by the law of creep, from those of rigid ones.
+
+    Stresses over the mean pressure, of which the peak is 4/pi.
+    """
+    mean, bodies, slope = (xp.asarray(numbers) for numbers in (even, 2.0 / math.pi * stick, exponent))
+    stress = xp.asarray(4.0 / math.pi * along_places(SHAPE, mean) * mean)
+    return np.asarray(bounded_stress(stress=stress, mean=mean, bodies=bodies, exponent=slope).mean)
