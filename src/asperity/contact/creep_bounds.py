@@ -16,26 +16,29 @@ _ANGLES = 0.25 * math.pi * (1.0 + _NODES)
 SHAPE, WEIGHTS = np.cos(_ANGLES), 0.5 * math.pi * _GAUSS * np.cos(_ANGLES)
 
 
-def along_places(values: np.ndarray, of: Array) -> np.ndarray:
-    """Numbers of the places before the axes of an array.
+def _along_places(values: np.ndarray, of: Array) -> np.ndarray:
+    """Numbers of the places before the axes of an array."""
+    return values.reshape(-1, *(1 for _ in xp.shape(of)))
+
+
+def elliptic_stress(peak: Array) -> Array:
+    r"""A stress in proportion to Hertz's pressure at the places, :math:`\tau_{max}\sqrt{1 - x^2/a^2}`.
 
     Parameters
     ----------
-    values : np.ndarray
-        One number for each place, shape (16,).
-    of : Array
-        An array of shape (contacts, ...).
+    peak : Array
+        In the middle of the contact, shape (contacts, ...) [Pa].
 
     Returns
     -------
-    np.ndarray
-        The numbers, shape (16, 1, ...).
+    Array
+        At the places of :data:`SHAPE`, shape (16, contacts, ...) [Pa].
 
     References
     ----------
-    None: it only shapes them.
+    K. L. Johnson, Contact Mechanics, 1985, section 4.2.
     """
-    return values.reshape(-1, *(1 for _ in xp.shape(of)))
+    return xp.asarray(_along_places(SHAPE, peak) * peak)
 
 
 def width_mean(stress: Array) -> Array:
@@ -55,7 +58,7 @@ def width_mean(stress: Array) -> Array:
     ----------
     Gauss's quadrature over phi with x = a sin phi; equation (F4) of :doc:`/equations`.
     """
-    return 0.5 * (along_places(WEIGHTS, stress[0]) * stress).sum(axis=0)
+    return 0.5 * (_along_places(WEIGHTS, stress[0]) * stress).sum(axis=0)
 
 
 class BoundedStress(NamedTuple):

@@ -6,7 +6,7 @@ import itertools
 import math
 from typing import NamedTuple
 
-from asperity.contact.creep_bounds import SHAPE, along_places, width_mean
+from asperity.contact.creep_bounds import elliptic_stress, width_mean
 from asperity.contact.fluid import Film, FilmTraction, Fluid
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module, static
@@ -195,7 +195,7 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
     slip = creepage * contact.rolling_speed
     stress, rise = local_stress(
         contact=contact,
-        pressure_shape=xp.asarray(along_places(SHAPE, contact.film_share * contact.peak_pressure)),
+        pressure_shape=elliptic_stress(xp.ones_like(contact.film_share * contact.peak_pressure)),
         slip_speed=slip,
         warming=warming,
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.contact.creep_bounds import SHAPE, along_places, bounded_stress
+from asperity.contact.creep_bounds import bounded_stress, elliptic_stress
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.types import Array, Real
@@ -259,5 +259,5 @@ def _of_law(stick: np.ndarray, even: np.ndarray, exponent: np.ndarray) -> np.nda
     Stresses over the mean pressure, of which the peak is 4/pi.
     """
     mean, bodies, slope = (xp.asarray(numbers) for numbers in (even, 2.0 / math.pi * stick, exponent))
-    stress = xp.asarray(4.0 / math.pi * along_places(SHAPE, mean) * mean)
+    stress = elliptic_stress(4.0 / math.pi * mean)
     return np.asarray(bounded_stress(stress=stress, mean=mean, bodies=bodies, exponent=slope).mean)
