@@ -71,6 +71,9 @@ class Dimension(Enum):
     THERMAL_EXPANSION = ("a thermal expansion coefficient", "1/K", "11.5e-6 1/K", (0, 0, 0, 0, -1), "um/m/K")
     THERMAL_CONDUCTIVITY = ("a thermal conductivity", "W/m/K", "21 W/m/K", (1, 1, -3, 0, -1))
     SPECIFIC_HEAT_CAPACITY = ("a specific heat capacity", "J/kg/K", "475 J/kg/K", (2, 0, -2, 0, -1), "J/g/K")
+    HEAT_CAPACITY = ("a heat capacity", "J/K", "600 J/K", (2, 1, -2, 0, -1), "kJ/K")
+    THERMAL_RESISTANCE = ("a thermal resistance", "K/W", "3 K/W", (-2, -1, 3, 0, 1))
+    HEAT_TRANSFER = ("a heat transfer coefficient", "W/m^2/K", "10 W/m^2/K", (0, 1, -3, 0, -1))
     STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0, 0), "N/mm^3")
 
     def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents, units: str = "") -> None:

@@ -25,17 +25,44 @@ from asperity.joint.fit import BodyModel, ClosureSprings, Fit, per_contact
 from asperity.joint.play import NO_PLAY, Play
 from asperity.materials import Material, pair
 from asperity.rolling.conditions import RollingConditions
+from asperity.rolling.heat import HeatBalance
 from asperity.types import Array, Real
+
+
+class WarmerRollers(Module):
+    """Rollers that are warmer than rings and housing.
+
+    ``rise`` above these [K]; interference of the rings that a kelvin of it adds [m/K], and of each contact, shape
+    (contacts,) [m/K].
+    """
+
+    rise: Real
+    change_per_kelvin: Real
+    contact_change_per_kelvin: Array
 
 
 class ContactFit(Fit):
     """How a drive was assembled, and what temperature does to each of its contacts.
 
     To :class:`asperity.joint.fit.Fit`, here with the interference of the rings that does the same work, come the
-    interferences that a kelvin adds to each contact, shape (contacts,) [m/K].
+    interferences that a kelvin adds to each contact, shape (contacts,) [m/K], and what rollers add that are warmer;
+    None where all bodies have one temperature.
     """
 
     contact_change_per_kelvin: Array
+    warmer_rollers: WarmerRollers | None = None
+
+    @property
+    def thermal_change(self) -> Real:
+        """What the working temperatures add to the interference [m]."""
+        change, rollers = self.change_per_kelvin * self.temperature_rise, self.warmer_rollers
+        return change if rollers is None else change + rollers.change_per_kelvin * rollers.rise
+
+    @property
+    def contact_thermal_change(self) -> Array:
+        """What they add to that of each contact, shape (contacts,) [m]."""
+        change, rollers = self.contact_change_per_kelvin * self.temperature_rise, self.warmer_rollers
+        return change if rollers is None else change + rollers.contact_change_per_kelvin * rollers.rise
 
 
 class UnlikeSectors(Module):
@@ -127,6 +154,8 @@ class Joint(Module):
         Of a spring that presses the contacts, in series with them [N/m]; None where their interference or a force does.
     housing : Housing or None, optional
         Into which the rings are pressed that are not free; None where only its stiffness is known, or nothing.
+    heat : HeatBalance or None, optional
+        Its steady temperatures, and how they came about; None where its temperature is stated.
     carrier_balance : {"complete", "printed"}, optional
         ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
         the carrier.
@@ -169,6 +198,7 @@ class Joint(Module):
     ring_bending_stiffness: Real | None = None
     pressing_stiffness: Real | None = None
     housing: Housing | None = None
+    heat: HeatBalance | None = None
     carrier_balance: Literal["complete", "printed"] = static(default="complete")
 
     @property
@@ -179,8 +209,7 @@ class Joint(Module):
             pattern = pattern + self.unlike.added / xp.asarray(self.interference)
         if self.fit is None:
             return pattern
-        added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise
-        return pattern + added / xp.asarray(self.interference)
+        return pattern + self.fit.contact_thermal_change / xp.asarray(self.interference)
 
     @property
     def ends(self) -> tuple[str, str]:

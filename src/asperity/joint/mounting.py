@@ -42,7 +42,9 @@ def mounting(joint: Joint, result: JointResult, gap: Real) -> Mounting:
     first, second = map(np.array, places(drive))
     rings = np.array([shape.kind == "ring" for shape in joint.shapes])
     if joint.fit is not None:
-        cold = dataclasses.replace(joint.fit, working_temperature=joint.fit.assembly_temperature)
+        cold = dataclasses.replace(
+            joint.fit, working_temperature=joint.fit.assembly_temperature, warmer_rollers=None
+        )
         rest = assembled_joint(dataclasses.replace(joint, fit=cold)).rest
     stated = [material.thermal_expansion for material in joint.materials]
     expansion = xp.stack([xp.asarray(math.nan if value is None else value) for value in stated])

@@ -14,7 +14,7 @@ from asperity.drive.state.states import rest_forces
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.module import Module
 from asperity.errors import InputError
-from asperity.joint.description import ContactFit, Joint, places
+from asperity.joint.description import ContactFit, Joint, WarmerRollers, places
 from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.solve import Solution
@@ -53,33 +53,65 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
     return interference_of_strains(drive=drive, strains=(inner, xp.stack(outer)), carrier=carrier)
 
 
+def roller_expansion(joint: Joint) -> Array:
+    """Interference that rollers add to each contact which are a kelvin warmer than rings and housing.
+
+    Shape (contacts,) [m/K]. A carrier that turns with the rollers is as warm as they are; one in the frame is not.
+    """
+    drive, none = joint.drive, xp.zeros(())
+    expansions = [
+        none if shape.kind == "ring" else xp.asarray(material.thermal_expansion)
+        for shape, material in zip(joint.shapes, joint.materials, strict=True)
+    ]
+    inner, outer = (xp.stack([expansions[body] for body in side]) for side in places(drive))
+    carrier = none
+    if not drive.layout.in_frame:
+        turning = drive.pinned[0] if drive.pinned else 0
+        carrier = xp.asarray(joint.materials[turning].thermal_expansion)
+    return interference_of_strains(drive=drive, strains=(inner, outer), carrier=carrier)
+
+
 def contact_fit(
-    joint: Joint, *, assembly_temperature: Real, working_temperature: Real, housing_expansion: Real | None
+    joint: Joint,
+    *,
+    assembly_temperature: Real,
+    working_temperature: Real,
+    housing_expansion: Real | None,
+    roller_rise: Real | None = None,
 ) -> ContactFit:
-    """How a drive was assembled, and what temperature does to it."""
+    """How a drive was assembled, and what temperature does to it.
+
+    ``roller_rise`` of the rollers above rings and housing [K]; None where all bodies have one temperature.
+    """
     drive, pattern = joint.drive, xp.asarray(joint.pattern)
     forces = rest_forces(drive=drive, pattern=pattern)
     change = contact_expansion(joint, housing_expansion=housing_expansion)
     assembled = pattern * xp.asarray(joint.interference)
+    rollers = None
+    if roller_rise is not None:
+        of_rollers = roller_expansion(joint)
+        added = ring_interference(drive=drive, forces=forces, interference=of_rollers)
+        rollers = WarmerRollers(roller_rise, added, of_rollers)
     return ContactFit(
         interference=ring_interference(drive=drive, forces=forces, interference=assembled),
         change_per_kelvin=ring_interference(drive=drive, forces=forces, interference=change),
         assembly_temperature=assembly_temperature,
         working_temperature=working_temperature,
         contact_change_per_kelvin=change,
+        warmer_rollers=rollers,
     )
 
 
 def at_temperature(joint: Joint, temperature: float) -> Joint:
-    """The same joint, of NumPy's numbers, at another working temperature [degC], its housing and its oil too."""
+    """The same joint, of NumPy's numbers, all of it and its oil at another working temperature [degC]."""
     fit, housing = joint.fit, joint.housing
     if fit is not None:
-        fit = dataclasses.replace(fit, working_temperature=temperature)
+        fit = dataclasses.replace(fit, working_temperature=temperature, warmer_rollers=None)
     if housing is not None and housing.assembly_temperature is not None:
         rise = temperature - housing.assembly_temperature
         housing = dataclasses.replace(housing, temperature_rise=rise)
     rolling = joint.rolling.with_oil_at(temperature + ZERO_CELSIUS)
-    heated = dataclasses.replace(joint, fit=fit, housing=housing, rolling=rolling)
+    heated = dataclasses.replace(joint, fit=fit, housing=housing, rolling=rolling, heat=None)
     return as_numbers(heated)
 
 

@@ -55,8 +55,14 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         cam = dataclasses.replace(cam, pattern=repeated(cam.pattern))
     fit = joint.fit
     if fit is not None:
+        rollers = fit.warmer_rollers
+        if rollers is not None:
+            change = xp.tile(rollers.contact_change_per_kelvin, sectors)
+            rollers = dataclasses.replace(rollers, contact_change_per_kelvin=change)
         fit = dataclasses.replace(
-            fit, contact_change_per_kelvin=xp.tile(fit.contact_change_per_kelvin, sectors)
+            fit,
+            contact_change_per_kelvin=xp.tile(fit.contact_change_per_kelvin, sectors),
+            warmer_rollers=rollers,
         )
     return dataclasses.replace(
         joint,

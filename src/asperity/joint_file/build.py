@@ -21,6 +21,7 @@ from asperity.joint.body_shape import BodyShape, Housing, on_pin
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.housing import in_housing
 from asperity.joint.temperature import contact_fit
+from asperity.joint_file.heat import Temperatures, balance_of, temperatures_of, with_steady_temperatures
 from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
@@ -56,8 +57,15 @@ def joint_from_case(case: Case) -> Joint:
 def joint_from_values(values: Values) -> Joint:
     """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
 
-    Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
+    Tables as :func:`asperity.joint_file.si_tables.si_values` makes them. Where they say what cools the drive, the joint
+    is at the temperatures that it settles at.
     """
+    return joint_at_temperatures(with_steady_temperatures(values, joint_at_temperatures))
+
+
+def joint_at_temperatures(values: Values) -> Joint:
+    """As :func:`joint_from_values`, at temperatures that are known; those around a drive that is cooled otherwise."""
+    temperatures = temperatures_of(values)
     kind = drive_type_of(values)
     drive, shapes, pattern = layout_of(_nominal_contacts(values))
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
@@ -69,7 +77,6 @@ def joint_from_values(values: Values) -> Joint:
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(xp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
-    temperature = values.get("temperature")
     joint = Joint(
         type=kind.name,
         drive=drive,
@@ -101,7 +108,7 @@ def joint_from_values(values: Values) -> Joint:
         pressing_stiffness=None
         if kind.pressing_stiffness is None
         else kind.pressing_stiffness(values["drive"]),
-        rolling=rolling_conditions(values),
+        rolling=rolling_conditions(values, None if temperatures is None else temperatures.rollers),
         bearings=_bearings(kind, values.get("bearings")),
         pin=_pin(values.get("bearings", {})),
         pin_clearance=values.get("bearings", {}).get("pin_radial_clearance", 0.0),
@@ -112,37 +119,41 @@ def joint_from_values(values: Values) -> Joint:
         output_bearing=rated_bearing(_called(kind, values).get("output_bearing")),
         crown_curvatures=_crown_curvatures(values),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
+        heat=balance_of(values),
     )
     if "housing" not in values:
-        return _warmed(joint, values, None if temperature is None else temperature.get("housing_expansion"))
+        expansion = values.get("temperature", {}).get("housing_expansion")
+        return _warmed(joint, values, temperatures, expansion)
     material = materials[values["bodies"][HOUSING]]
-    joint = _in_housing(joint, values["housing"], material, temperature)
-    return _warmed(joint, values, material.thermal_expansion)
+    joint = _in_housing(joint, values["housing"], material, temperatures)
+    return _warmed(joint, values, temperatures, material.thermal_expansion)
 
 
-def _warmed(joint: Joint, values: Values, housing_expansion: Real | None) -> Joint:
+def _warmed(
+    joint: Joint, values: Values, temperatures: Temperatures | None, housing_expansion: Real | None
+) -> Joint:
     """The joint with what its temperatures do to its interference, where a file states both."""
-    temperature = values.get("temperature")
-    if temperature is None or "interference" not in values["load"]:
+    if temperatures is None or temperatures.assembly is None or "interference" not in values["load"]:
         return joint
     fit = contact_fit(
         joint,
-        assembly_temperature=temperature["assembly"],
-        working_temperature=temperature["working"],
+        assembly_temperature=temperatures.assembly,
+        working_temperature=temperatures.housing,
         housing_expansion=housing_expansion,
+        roller_rise=temperatures.rollers - temperatures.housing if "heat" in values else None,
     )
     return dataclasses.replace(joint, fit=fit)
 
 
-def _in_housing(joint: Joint, entry: Values, material: Material, temperature: Values | None) -> Joint:
+def _in_housing(joint: Joint, entry: Values, material: Material, temperatures: Temperatures | None) -> Joint:
     """A joint in the housing that a file describes."""
     housing = Housing(
         material=material,
         outer_radius=0.5 * entry["outer_diameter"],
         interference=entry["interference"],
         friction_coefficient=entry["friction_coefficient"],
-        temperature_rise=None if temperature is None else temperature["working"] - temperature["assembly"],
-        assembly_temperature=None if temperature is None else temperature["assembly"],
+        temperature_rise=None if temperatures is None else temperatures.housing - temperatures.assembly,
+        assembly_temperature=None if temperatures is None else temperatures.assembly,
     )
     shapes = tuple(
         in_housing(shape, tracks_of(joint, number)[0][0], housing)
@@ -199,8 +210,9 @@ def thermal_change_of(values: Values) -> float:
 
     ``values`` are tables in SI units with temperatures; the expansions of all materials are known.
     """
+    values = with_steady_temperatures(values, joint_at_temperatures)
     load = {name: value for name, value in values["load"].items() if name != "preload"}
-    fit = joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
+    fit = joint_at_temperatures(values | {"load": load | {"interference": 1e-5}}).fit
     assert fit is not None
     return float(fit.thermal_change)
 

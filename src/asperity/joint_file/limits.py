@@ -83,6 +83,11 @@ SPECIFIC_HEAT_CAPACITY = Key(Dimension.SPECIFIC_HEAT_CAPACITY, 1.0, 1e5, "J/kg/K
 
 THERMAL_EXPANSION = Key(Dimension.THERMAL_EXPANSION, -100.0, 500.0, "um/m/K", example="11.5e-6 1/K")
 TEMPERATURE = Key(Dimension.TEMPERATURE, -273.15, 1000.0, "degC", example="20 degC")
+COOLED_AREA = Key(Dimension.AREA, 0.0, 1e4, "m^2", open_lower=True, example="0.05 m^2")
+HEAT_TRANSFER = Key(Dimension.HEAT_TRANSFER, 0.0, 1e6, "W/m^2/K", open_lower=True, example="10 W/m^2/K")
+THERMAL_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", open_lower=True, example="3 K/W")
+ROLLER_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", example="0.5 K/W")
+HEAT_CAPACITY = Key(Dimension.HEAT_CAPACITY, 0.0, 1e9, "J/K", open_lower=True, example="600 J/K")
 
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")

@@ -75,7 +75,7 @@ def refuse_oil(oil: Lubrication | None, fluids: Mapping[str, FluidEntry], *, tem
     if not temperature:
         raise InputError(
             f"lubrication.fluid = '{oil.fluid}': the oil has the temperature of the drive, which is missing: give a "
-            'section [temperature] with assembly and working, e.g. "20 degC" and "40 degC"'
+            'section [temperature] with assembly and working, e.g. "20 degC" and "40 degC", or what cools the drive, [heat]'
         )
     known, section = library_fluid(oil.fluid), section_of(oil.fluid, fluids)
     entry, name = (FluidEntry(), oil.fluid) if section is None else (fluids[section], section)
@@ -92,14 +92,15 @@ def refuse_oil(oil: Lubrication | None, fluids: Mapping[str, FluidEntry], *, tem
         )
 
 
-def lubricant_of(values: Document) -> Lubricant | None:
-    """The oil that the tables of a joint file describe; None where they name no fluid.
+def lubricant_of(values: Document, temperature: Real | None) -> Lubricant | None:
+    """The oil that the tables of a joint file describe, at a temperature [degC]; None where they name no fluid.
 
     Its fluid has no traction where none of it is known.
     """
     oil = values.get("lubrication", {})
     if "fluid" not in oil:
         return None
+    assert temperature is not None, "a fluid has the temperature of its drive"
     sections, known = values.get("fluids", {}), library_fluid(oil["fluid"])
     section = section_of(oil["fluid"], sections)
     entry = {} if section is None else sections[section]
@@ -108,7 +109,7 @@ def lubricant_of(values: Document) -> Lubricant | None:
     stated = {key: oil[key] for key in ("supply", "creep_limit", "film_law", "load_sharing") if key in oil}
     return Lubricant(
         fluid=Fluid(_viscosity(entry, known), _traction(entry, known), _conductivity(entry, known)),
-        temperature=values["temperature"]["working"] + ZERO_CELSIUS,
+        temperature=temperature + ZERO_CELSIUS,
         friction_speeds=tuple(point["slip_speed"] for point in points),
         friction_coefficients=tuple(point["coefficient"] for point in points),
         lowest_temperature=None if lowest is None else lowest + ZERO_CELSIUS,

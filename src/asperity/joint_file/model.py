@@ -37,6 +37,7 @@ from asperity.joint_file.sections import (
     BearingTorque,
     Duty,
     DynamicsEntry,
+    HeatEntry,
     HeldBearing,
     HousingEntry,
     Lubrication,
@@ -47,6 +48,7 @@ from asperity.joint_file.sections import (
     refuse_branches,
     refuse_part_of_a_duty,
     refuse_temperature,
+    refuse_temperatures,
 )
 
 
@@ -176,6 +178,8 @@ class Case(WholeFile):
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
     """Temperature of the drive; that of the assembly if the section is absent."""
+    heat: HeatEntry | None = None
+    """How heat leaves the drive, which gives its temperature; temperature.working does if the section is absent."""
     housing: HousingEntry | None = None
     """The housing into which rings are pressed, for their seats; not described if the section is absent."""
     pin_bearing: PinBearing | None = None
@@ -329,9 +333,11 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _known_expansion(self) -> Self:
+        by_interference = self.load.interference is not None or self.housing is not None
+        refuse_temperatures(self.temperature, self.heat, by_interference=by_interference)
         refuse_temperature(
             self.temperature,
-            by_interference=self.load.interference is not None or self.housing is not None,
+            by_interference=by_interference,
             bodies=self.bodies,
             materials=self.materials,
             without_housing="" if self.in_frame() else self.without_housing(),
@@ -340,7 +346,11 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _known_oil(self) -> Self:
-        refuse_oil(self.lubrication, self.fluids or {}, temperature=self.temperature is not None)
+        refuse_oil(
+            self.lubrication,
+            self.fluids or {},
+            temperature=not (self.temperature is None and self.heat is None),
+        )
         return self
 
     @model_validator(mode="after")

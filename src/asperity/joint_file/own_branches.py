@@ -9,7 +9,14 @@ from asperity.drive.layout.drive import Drive
 from asperity.engine.arrays import xp
 from asperity.implicit import SETTLED
 from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
-from asperity.joint_file.build import added_by_branches, deviations_of, joint_from_case, joint_from_values
+from asperity.joint_file.build import (
+    added_by_branches,
+    deviations_of,
+    joint_at_temperatures,
+    joint_from_case,
+    joint_from_values,
+)
+from asperity.joint_file.heat import with_steady_temperatures
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
 
 if TYPE_CHECKING:
@@ -34,7 +41,8 @@ def branches_of(case: AnyCase) -> AssembledBranches | None:
         return None
     from asperity.branches.branches import assembled_branches
 
-    return assembled_branches(joint_from_case(case), deviations_of(si_values(case)))
+    values = si_values(case)
+    return assembled_branches(joint_at_temperatures(_settled(values)), deviations_of(values))
 
 
 def joint_with_branches(values: Values) -> Joint:
@@ -45,6 +53,16 @@ def joint_with_branches(values: Values) -> Joint:
     """
     if "branch" not in values:
         return joint_from_values(values)
+    return _at_temperatures(_settled(values))
+
+
+def _settled(values: Values) -> Values:
+    """The tables with the temperatures at which a drive settles that every branch warms by its own losses."""
+    return with_steady_temperatures(values, _at_temperatures)
+
+
+def _at_temperatures(values: Values) -> Joint:
+    """As :func:`joint_with_branches`, at temperatures that are known."""
     joint, sizes, sectors, floating = _sectors(values)
     settled = settled_sectors(sectors, floating, joint, sizes)
     force = xp.where(settled.change < SETTLED, settled.sizes.reference_force, xp.nan)
@@ -56,16 +74,16 @@ def joint_with_branches(values: Values) -> Joint:
 
 
 def parts_with_branches(values: Values) -> Joint:
-    """The same joint without the forces of its laws: bodies, contacts and bearings; pure."""
+    """The same joint without the forces of its laws, before it warms: bodies, contacts and bearings; pure."""
     if "branch" not in values:
-        return joint_from_values(values)
+        return joint_at_temperatures(values)
     joint, sizes, sectors, floating = _sectors(values)
     return unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
 
 
 def _sectors(values: Values) -> tuple[Joint, SectorSizes, int, tuple[str, ...]]:
     """A joint with equal branches, what differs between them, their number, and what floats on the axis."""
-    joint, count = joint_from_values(values), len(values["branch"])
+    joint, count = joint_at_temperatures(values), len(values["branch"])
     added = added_by_branches(values, count)
     support = xp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
     sizes = SectorSizes(added, xp.zeros_like(added), support)

@@ -65,8 +65,11 @@ def rated_bearing(entry: Values | None) -> RatedBearing | None:
     )
 
 
-def rolling_conditions(values: Values) -> RollingConditions:
-    """What the tables of a joint file say about rolling: numbers by the names of their keys, others as stated here."""
+def rolling_conditions(values: Values, temperature: Real | None) -> RollingConditions:
+    """What the tables of a joint file say about rolling: numbers by the names of their keys, others as stated here.
+
+    ``temperature`` of the oil [degC]; None where nothing gives one.
+    """
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
     same = {key: value for key, value in {**oil, **rolling}.items() if key in RollingConditions.number_fields}
     other = {
@@ -81,7 +84,7 @@ def rolling_conditions(values: Values) -> RollingConditions:
             for load in values.get("duty", {}).values()
         ),
     }
-    conditions = dataclasses.replace(plain, **(same | other), lubricant=lubricant_of(values))
+    conditions = dataclasses.replace(plain, **(same | other), lubricant=lubricant_of(values, temperature))
     oil = conditions.lubricant
     return conditions if oil is None else conditions.with_oil_at(oil.temperature)
 

@@ -99,6 +99,9 @@ class Lubrication(Section):
         return self
 
 
+#: Highest temperature of an oil where a file states none [degC].
+OIL_LIMIT = 120.0
+
 _Share = Annotated[float, Field(gt=0.0, le=1.0)] | str
 
 
@@ -220,11 +223,72 @@ class TemperatureEntry(Section):
 
     assembly: Annotated[Quantity, limits.TEMPERATURE]
     """Temperature at which load.interference is measured."""
-    working: Annotated[Quantity, limits.TEMPERATURE]
-    """Temperature for which all results hold; the same in all bodies."""
+    working: Annotated[Quantity, limits.TEMPERATURE] | None = None
+    """Temperature for which all results hold; the same in all bodies. Left out with a section [heat], which gives it."""
     housing_expansion: Annotated[Quantity, limits.THERMAL_EXPANSION] | None = None
     """Coefficient of linear thermal expansion of the housing that holds the ring's outer rim; that of the ring if
     absent."""
+
+
+class HeatEntry(Section):
+    """How the heat of the losses leaves the drive; all results then hold at the temperatures that it settles at."""
+
+    ambient: Annotated[Quantity, limits.TEMPERATURE]
+    """Temperature around the housing."""
+    resistance: Annotated[Quantity, limits.THERMAL_RESISTANCE] | None = None
+    """Thermal resistance of the housing to its surroundings, measured: how much warmer than them a watt makes it.
+    Either this or area and coefficient."""
+    area: Annotated[Quantity, limits.COOLED_AREA] | None = None
+    """Outer area of the housing that air cools."""
+    coefficient: Annotated[Quantity, limits.HEAT_TRANSFER] | None = None
+    """Heat transfer coefficient of this area: 5 to 10 W/m^2/K in still air, 20 to 50 W/m^2/K in moving air."""
+    roller_resistance: Annotated[Quantity, limits.ROLLER_RESISTANCE] | None = None
+    """Thermal resistance of the rollers to the housing: how much warmer than it a watt makes them; 0 if absent."""
+    heat_capacity: Annotated[Quantity, limits.HEAT_CAPACITY] | None = None
+    """Heat capacity of the housing with its rings, for the time in which the drive warms up and for peaks of a duty;
+    neither is computed if absent."""
+    oil_limit: Annotated[Quantity, limits.TEMPERATURE] | None = None
+    """Highest temperature of the oil, up to which a steady temperature counts; 120 degC if absent."""
+    cold_start: Annotated[Quantity, limits.TEMPERATURE] | None = None
+    """Lowest temperature at which the drive has to start: capacities and torque of the input there."""
+
+    @model_validator(mode="after")
+    def _one_way_out(self) -> Self:
+        by_area = [name for name in ("area", "coefficient") if getattr(self, name) is not None]
+        if (self.resistance is None) == (not by_area):
+            given = "neither" if self.resistance is None else "both"
+            raise InputError(f"exactly one of resistance and area with coefficient is needed, got {given}")
+        if len(by_area) == 1:
+            missing = "coefficient" if by_area == ["area"] else "area"
+            raise InputError(f".{missing}: this key is missing: {by_area[0]} alone cools nothing")
+        limit = OIL_LIMIT if self.oil_limit is None else self.oil_limit.value
+        for name in ("ambient", "cold_start"):
+            stated = getattr(self, name)
+            if stated is not None and not stated.value < limit:
+                raise InputError(
+                    f"{name} = {quoted(stated.text)} must be below oil_limit, {limit:g} degC; lower it, or raise oil_limit"
+                )
+        return self
+
+
+def refuse_temperatures(
+    temperature: TemperatureEntry | None, heat: HeatEntry | None, *, by_interference: bool
+) -> None:
+    """Refuse a working temperature that nothing gives, or that two sections give."""
+    if heat is None:
+        if temperature is not None and temperature.working is None:
+            raise InputError("temperature.working: this key is missing, or a section [heat] in its place")
+        return
+    if temperature is not None and temperature.working is not None:
+        raise InputError(
+            "[heat] and temperature.working: the losses and what cools the drive give its temperature; leave one of "
+            "both out"
+        )
+    if temperature is None and by_interference:
+        raise InputError(
+            "[heat] with load.interference or [housing] needs the temperature at which these are measured: give "
+            'temperature.assembly, e.g. "20 degC"'
+        )
 
 
 def refuse_temperature(

@@ -31,7 +31,7 @@ EFFUSIVITY = math.sqrt(46.0 * 7800.0 * 460.0)
 
 def _library_oil(name: str) -> Fluid:
     """An oil of the library with a film of 0.5 GPa."""
-    lubricant = lubricant_of({"lubrication": {"fluid": name}, "temperature": {"working": 0.0}})
+    lubricant = lubricant_of({"lubrication": {"fluid": name}}, 0.0)
     assert lubricant is not None
     return lubricant.fluid
 
