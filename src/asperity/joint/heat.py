@@ -1,13 +1,25 @@
-"""The heat that a joint makes: its losses in rolling, as its temperatures decide them."""
+"""The heat that a joint makes: its losses at its temperatures, and what it may pass and when it is warm."""
 
 from __future__ import annotations
 
-from asperity.engine.arrays import xp
+import dataclasses
+import math
+
+import numpy as np
+
+from asperity.engine.arrays import as_numbers, xp
+from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import assembled
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, body_masses
 from asperity.joint.machine import joint_machine
+from asperity.joint.temperature import at_temperatures
+from asperity.rolling.duty_heat import DutyHeat, duty_heat
+from asperity.rolling.heat import HeatFlow, least_excess
 from asperity.rolling.turning import rolling_at
 from asperity.types import Array
+
+#: Temperatures and torques that are looked at side by side, and how often around the torque that is searched.
+_TEMPERATURES, _TORQUES, _ROUNDS = 24, 8, 2
 
 
 def heat_made(joint: Joint) -> Array:
@@ -16,3 +28,111 @@ def heat_made(joint: Joint) -> Array:
     speed = xp.asarray(joint.input_speed)
     rolling = rolling_at(machine, assembled(machine))(xp.asarray(joint.output_torque), speed)
     return xp.where(speed == 0.0, 0.0, rolling.power.loss)
+
+
+def losses_at(joint: Joint, torque: np.ndarray, speed: np.ndarray, rollers: np.ndarray) -> np.ndarray:
+    """Losses of one joint that knows what cools it, of arrays of one shape (n,) [W].
+
+    Under output torques [N·m], at speeds of the input [rad/s] and steady temperatures of the rollers [degC].
+    """
+    numbers = without_duty(as_numbers(joint))
+    flow = _flow(numbers)
+
+    def one(torque: Array, speed: Array, rollers: Array) -> Array:
+        warm = at_temperatures(numbers, housing=flow.housing_at(rollers), rollers=rollers)
+        return heat_made(dataclasses.replace(warm, output_torque=torque, input_speed=speed))
+
+    found: np.ndarray = np.asarray(at_once(vectorised(one), torque, speed, rollers))
+    return found
+
+
+def without_duty(joint: Joint) -> Joint:
+    """The same joint without loads of a duty."""
+    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
+
+
+def _flow(joint: Joint) -> HeatFlow:
+    """What cools a joint."""
+    assert joint.heat is not None, "the joint knows what cools it"
+    return joint.heat.flow
+
+
+def _over_temperature(joint: Joint, torque: np.ndarray, speed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Temperatures of the rollers up to the limit of the oil [degC], and losses under loads there [W].
+
+    Shape (loads, temperatures).
+    """
+    flow = _flow(joint)
+    rollers = np.linspace(float(flow.ambient), float(flow.oil_limit), _TEMPERATURES)
+    loads, warm = np.meshgrid(np.arange(torque.size), rollers, indexing="ij")
+    loads = loads.ravel()
+    found = losses_at(joint, torque[loads], speed[loads], warm.ravel())
+    return rollers, found.reshape(torque.size, rollers.size)
+
+
+def steady_torque(joint: Joint, largest: float) -> float:
+    """Largest output torque of one joint, in the direction of its own, that has a steady temperature [N·m].
+
+    At the joint's speed, without its sign, below the ``largest``, which has none; nan where none has. By a line between
+    the torques at which it was looked at last, 64 of which cover the range.
+    """
+    flow, way = _flow(joint), -1.0 if float(joint.output_torque) < 0.0 else 1.0
+    low, high = 0.0, largest
+    excess = np.full(_TORQUES + 1, np.nan)
+    for _ in range(_ROUNDS):
+        torque = np.linspace(low, high, _TORQUES + 1)
+        speed = np.full(torque.size, float(joint.input_speed))
+        rollers, losses = _over_temperature(joint, way * torque, speed)
+        excess = np.array([least_excess(flow, rollers, each) for each in losses])
+        beyond = np.flatnonzero(~(excess <= 0.0))
+        if not beyond.size:
+            return largest
+        if beyond[0] == 0:
+            return math.nan
+        low, high = torque[beyond[0] - 1 : beyond[0] + 1]
+        below, above = excess[beyond[0] - 1 : beyond[0] + 1]
+    return float(low) if math.isnan(above) else float(low + (high - low) * below / (below - above))
+
+
+def rollers_heat_capacity(joint: Joint) -> float:
+    """Heat capacity of all bodies of one joint but its rings, all sectors together [J/K]; nan where one's is not known."""
+    capacity = 0.0
+    for body, mass, shape, material in zip(
+        joint.drive.bodies, body_masses(joint), joint.shapes, joint.materials, strict=True
+    ):
+        if shape.kind == "ring":
+            continue
+        if material.specific_heat_capacity is None:
+            return math.nan
+        count = 1.0 if body.on_axis or joint.unlike is not None else float(joint.drive.sectors)
+        capacity += count * float(mass) * float(material.specific_heat_capacity)
+    return capacity
+
+
+def time_constant(joint: Joint) -> float:
+    r"""Time in which all but a share 1/e of a small departure from the steady temperature has gone [s].
+
+    .. math:: \tau = \frac{(C_h + C_r)\,R_h + C_r R_r}{1 - g}
+
+    Of one joint with a steady temperature; nan where a heat capacity is not known. By the slower of both nodes, as rollers
+    follow their housing sooner than it follows its surroundings.
+    """
+    heat = joint.heat
+    if heat is None or heat.flow.heat_capacity is None:
+        return math.nan
+    flow, rollers = heat.flow, rollers_heat_capacity(joint)
+    slow = (float(flow.heat_capacity) + rollers) * float(flow.resistance) + rollers * float(flow.roller_resistance)
+    return slow / (1.0 - float(heat.gain))
+
+
+def duty_temperatures(joint: Joint) -> DutyHeat | None:
+    """Temperatures of one joint under its duty; None without one, or without what cools it."""
+    duty = joint.rolling.duty
+    if joint.heat is None or not duty:
+        return None
+    torque, speed, share = (
+        np.array([float(getattr(load, name)) for load in duty])
+        for name in ("output_torque", "input_speed", "share")
+    )
+    rollers, losses = _over_temperature(joint, torque, speed)
+    return duty_heat(_flow(joint), rollers, losses, share, rollers_heat_capacity(joint))

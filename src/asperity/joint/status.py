@@ -34,14 +34,15 @@ STATUSES: dict[str, str] = {
     "output_stands_still": "the output stands still whatever the input does: the ratio is infinite",
     "pin_too_short": "a roller is longer than the free length of its pin",
     "housing_inside_ring": "the housing lies inside a ring that it holds",
+    "thermal_runaway": "thermal runaway: no temperature of the drive up to the limit of its oil is steady",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT, INSIDE = range(
-    LOCKED + 1, LOCKED + 11
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT, INSIDE, RUNAWAY = range(
+    LOCKED + 1, LOCKED + 12
 )
 
 
@@ -55,7 +56,7 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     code = xp.asarray(status)
     operates = (code == 0) | (code == ALL_PLASTIC)
     if needs == "geometry":
-        return operates | ((code >= LOCKED) & (code < NO_ROOM)) | (code == SHORT)
+        return operates | ((code >= LOCKED) & (code < NO_ROOM)) | (code == SHORT) | (code == RUNAWAY)
     return operates | (code == SLIPS) if needs == "balance" else operates
 
 
@@ -104,6 +105,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         (~carried, SLIPS),
         (~(residual < STATE_TOLERANCE), UNBALANCED),
         (~result.contact_law_holds, ALL_PLASTIC),
+        (xp.asarray(False) if joint.heat is None else ~joint.heat.is_steady, RUNAWAY),
     ):
         code = xp.where((code == 0) & condition, xp.asarray(value, dtype=xp.int8), code)
     return code

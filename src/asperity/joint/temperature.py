@@ -102,17 +102,26 @@ def contact_fit(
     )
 
 
+def at_temperatures(joint: Joint, *, housing: Real, rollers: Real) -> Joint:
+    """The same joint with its housing and rings at another temperature, and its rollers and their oil [degC]; pure.
+
+    Rollers that are warmer than the housing make interference only where the joint knows what cools it.
+    """
+    fit, held = joint.fit, joint.housing
+    if fit is not None:
+        warmer = fit.warmer_rollers
+        if warmer is not None:
+            warmer = dataclasses.replace(warmer, rise=rollers - housing)
+        fit = dataclasses.replace(fit, working_temperature=housing, warmer_rollers=warmer)
+    if held is not None and held.assembly_temperature is not None:
+        held = dataclasses.replace(held, temperature_rise=housing - held.assembly_temperature)
+    rolling = joint.rolling.with_oil_at(rollers + ZERO_CELSIUS)
+    return dataclasses.replace(joint, fit=fit, housing=held, rolling=rolling)
+
+
 def at_temperature(joint: Joint, temperature: float) -> Joint:
     """The same joint, of NumPy's numbers, all of it and its oil at another working temperature [degC]."""
-    fit, housing = joint.fit, joint.housing
-    if fit is not None:
-        fit = dataclasses.replace(fit, working_temperature=temperature, warmer_rollers=None)
-    if housing is not None and housing.assembly_temperature is not None:
-        rise = temperature - housing.assembly_temperature
-        housing = dataclasses.replace(housing, temperature_rise=rise)
-    rolling = joint.rolling.with_oil_at(temperature + ZERO_CELSIUS)
-    heated = dataclasses.replace(joint, fit=fit, housing=housing, rolling=rolling, heat=None)
-    return as_numbers(heated)
+    return as_numbers(at_temperatures(joint, housing=temperature, rollers=temperature))
 
 
 def assembly_document(

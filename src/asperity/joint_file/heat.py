@@ -64,6 +64,8 @@ def heat_flow(values: Values) -> HeatFlow:
         roller_resistance=heat.get("roller_resistance", 0.0),
         oil_limit=heat.get("oil_limit", OIL_LIMIT),
         cold_start=heat.get("cold_start"),
+        heat_capacity=heat.get("heat_capacity"),
+        duty_time=heat.get("duty_time"),
     )
 
 

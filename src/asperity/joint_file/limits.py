@@ -87,6 +87,7 @@ COOLED_AREA = Key(Dimension.AREA, 0.0, 1e4, "m^2", open_lower=True, example="0.0
 HEAT_TRANSFER = Key(Dimension.HEAT_TRANSFER, 0.0, 1e6, "W/m^2/K", open_lower=True, example="10 W/m^2/K")
 THERMAL_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", open_lower=True, example="3 K/W")
 ROLLER_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", example="0.5 K/W")
+DUTY_TIME = Key(Dimension.TIME, 0.0, 1e9, "min", open_lower=True, example="30 min")
 HEAT_CAPACITY = Key(Dimension.HEAT_CAPACITY, 0.0, 1e9, "J/K", open_lower=True, example="600 J/K")
 
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")

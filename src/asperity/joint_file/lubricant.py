@@ -75,7 +75,7 @@ def refuse_oil(oil: Lubrication | None, fluids: Mapping[str, FluidEntry], *, tem
     if not temperature:
         raise InputError(
             f"lubrication.fluid = '{oil.fluid}': the oil has the temperature of the drive, which is missing: give a "
-            'section [temperature] with assembly and working, e.g. "20 degC" and "40 degC", or what cools the drive, [heat]'
+            'section [temperature] with assembly and working, e.g. "20 degC" and "40 degC", or [heat]'
         )
     known, section = library_fluid(oil.fluid), section_of(oil.fluid, fluids)
     entry, name = (FluidEntry(), oil.fluid) if section is None else (fluids[section], section)

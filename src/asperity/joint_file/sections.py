@@ -224,7 +224,7 @@ class TemperatureEntry(Section):
     assembly: Annotated[Quantity, limits.TEMPERATURE]
     """Temperature at which load.interference is measured."""
     working: Annotated[Quantity, limits.TEMPERATURE] | None = None
-    """Temperature for which all results hold; the same in all bodies. Left out with a section [heat], which gives it."""
+    """Temperature for which all results hold; the same in all bodies. Left out with [heat], which gives it."""
     housing_expansion: Annotated[Quantity, limits.THERMAL_EXPANSION] | None = None
     """Coefficient of linear thermal expansion of the housing that holds the ring's outer rim; that of the ring if
     absent."""
@@ -247,6 +247,9 @@ class HeatEntry(Section):
     heat_capacity: Annotated[Quantity, limits.HEAT_CAPACITY] | None = None
     """Heat capacity of the housing with its rings, for the time in which the drive warms up and for peaks of a duty;
     neither is computed if absent."""
+    duty_time: Annotated[Quantity, limits.DUTY_TIME] | None = None
+    """Time of one pass through the loads of [[duty]], in their order and repeated, for its highest temperature; without
+    it only the mean one is known."""
     oil_limit: Annotated[Quantity, limits.TEMPERATURE] | None = None
     """Highest temperature of the oil, up to which a steady temperature counts; 120 degC if absent."""
     cold_start: Annotated[Quantity, limits.TEMPERATURE] | None = None
@@ -266,7 +269,8 @@ class HeatEntry(Section):
             stated = getattr(self, name)
             if stated is not None and not stated.value < limit:
                 raise InputError(
-                    f"{name} = {quoted(stated.text)} must be below oil_limit, {limit:g} degC; lower it, or raise oil_limit"
+                    f"{name} = {quoted(stated.text)} must be below oil_limit, {limit:g} degC; lower it, or raise "
+                    "oil_limit"
                 )
         return self
 

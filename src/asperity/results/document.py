@@ -25,6 +25,7 @@ from asperity.joint.torque_limits import capacity_document
 from asperity.results import SEVERITIES
 from asperity.results.all_limits import all_checks
 from asperity.results.branch_document import branch_document
+from asperity.results.heat_document import heat_document
 from asperity.results.limit_check import LimitCheck
 from asperity.results.loads_document import bearing_entries, rim_entry
 from asperity.results.margins import margins, verdict_document
@@ -176,11 +177,14 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             **in_order("stiffness_budget"),
             **dict.fromkeys(_IN_ROLLING),
             "rolling": rolling_document(solved),
+            "heat": {} if joint.heat is None else heat_document(solved),
             "diagnostics": diagnostic_documents(all_checks(solved), solved.notes),
         },
         solved,
     )
     document |= {key: document["rolling"][key] for key in _IN_ROLLING}
+    if joint.heat is None:
+        del document["heat"]
     plain = plain_document(document)
     return (
         plain if solved.branches is None else plain | {"branches": branch_document(solved.branches, solution)}

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from asperity.results import SEVERITIES, Limit, Result
+from asperity.results.heat_document import steady_torque_of
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.units import format_quantity
@@ -63,11 +64,13 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def with_pins(row: Result, solved: SolvedJoint) -> Result:
-    """The self-locking ratio with what is known of the pins; every other row as it is.
+    """The self-locking ratio with what is known of the pins, thermal runaway with the torque that has none; else the row.
 
     Not self-locking is a state, with the forces of the pins; it keeps the joint from working only where no balance
     gives these forces, or where they exceed the static rating of the rollers' bearings on the pins.
     """
+    if row.name == "ambient_reserve" and "solution" in vars(solved):
+        return _with_steady_torque(row, solved)
     if row.name != "self_locking_ratio" or row.limit is None:
         return row
     said, table = row.limit.crossed, results_of_joint(solved)
@@ -88,6 +91,16 @@ def with_pins(row: Result, solved: SolvedJoint) -> Result:
         unknown = any(math.isnan(x) for name, x in rows.items() if name.endswith("_pin"))
         said += "; the static safety of their bearings is " + ("not known" if unknown else f"{safety:.3g}")
     return dataclasses.replace(row, limit=dataclasses.replace(row.limit, crossed=said))
+
+
+def _with_steady_torque(row: Result, solved: SolvedJoint) -> Result:
+    """Thermal runaway with the torque up to which there is none."""
+    torque = steady_torque_of(solved)
+    if row.limit is None or torque is None:
+        return row
+    up_to = "no torque" if math.isnan(torque) else f"torques up to {format_quantity(torque, 'N*m')}"
+    crossed = row.limit.crossed.replace("; all", f"; {up_to} at this speed would settle; all")
+    return dataclasses.replace(row, limit=dataclasses.replace(row.limit, crossed=crossed))
 
 
 def _fails(row: Result, said: str) -> Result:

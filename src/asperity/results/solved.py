@@ -31,12 +31,12 @@ from asperity.joint.description import (
     pin_names,
     tracks_of,
 )
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluation import JointResult, evaluated_with_laws
 from asperity.joint.housing import Seats, seated, seats
 from asperity.joint.mounting import Mounting, mounting
 from asperity.joint.rims import joint_rims
 from asperity.joint.solve import Solution, joint_state, solution_of
-from asperity.joint.temperature import at_temperature
+from asperity.joint.temperature import at_temperature, at_temperatures
 from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, temperature_limits
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
@@ -236,6 +236,19 @@ class SolvedJoint:
             return assembled_branches(equal, self.branches.sizes).joint
         except (InputError, NoSolutionError):
             return None
+
+    @functools.cached_property
+    def cold(self) -> SolvedJoint | None:
+        """The joint at its cold start; None where it has none, or is loose there."""
+        heat = self.joint.heat
+        if heat is None or heat.flow.cold_start is None:
+            return None
+        start = heat.flow.cold_start
+        if "solution" in vars(self):
+            joint = self._heated(float(start))
+            return None if joint is None else solved_with_capacities(joint, solution_of(joint))
+        joint = at_temperatures(self.joint, housing=start, rollers=start)
+        return SolvedJoint(joint, *evaluated_with_laws(joint))
 
     @functools.cached_property
     def temperature_limits(self) -> tuple[TemperatureLimit, ...]:

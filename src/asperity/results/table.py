@@ -12,7 +12,15 @@ from asperity.drive.layout.wedge import wedges
 from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.pin_bound import stiffness_bound
-from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
+from asperity.results import (
+    contact_rows,
+    drive_rows,
+    heat_rows,
+    limit_rows,
+    load_rows,
+    rolling_rows,
+    stiffness_rows,
+)
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import place_labels
@@ -29,6 +37,7 @@ RESULTS: dict[str, Result] = {
         *contact_rows.ROWS,
         *limit_rows.ROWS,
         *rolling_rows.ROWS,
+        *heat_rows.ROWS,
         *load_rows.ROWS,
         *drive_rows.ROWS,
     )

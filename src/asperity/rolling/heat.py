@@ -37,6 +37,10 @@ class HeatFlow(Module):
         Highest temperature that the oil may have [degC].
     cold_start : Real or None
         Lowest temperature at which the joint has to start [degC]; None for none.
+    heat_capacity : Real or None
+        Of the housing with its rings [J/K]; None where it is not known.
+    duty_time : Real or None
+        Time of one pass through the loads of the duty, in their order [s]; None where it is not known.
     """
 
     ambient: Real
@@ -44,6 +48,8 @@ class HeatFlow(Module):
     roller_resistance: Real
     oil_limit: Real
     cold_start: Real | None = None
+    heat_capacity: Real | None = None
+    duty_time: Real | None = None
 
     @property
     def to_rollers(self) -> Real:
@@ -69,7 +75,7 @@ class HeatBalance(Module):
         [-], below 1 where the temperature is stable; nan where none is steady.
     ambient_reserve : Real
         By how much warmer the surroundings may become before no temperature of the rollers is steady [K]; negative: by
-        how much colder they would have to be.
+        how much colder they would have to be; nan where the joint rolls at no temperature.
     temperatures, losses : Array
         Temperatures of the rollers up to the limit of the oil [degC], and the losses of the joint there, nan where it
         does not roll steadily [W].
@@ -239,12 +245,27 @@ def _lowest_stable(near: _Scan) -> tuple[Array, Array]:
     )
 
 
+def least_excess(flow: HeatFlow, rollers: np.ndarray, losses: np.ndarray) -> float:
+    """By how many kelvins losses at 24 temperatures exceed what leaves, at least; negative where one is steady.
+
+    nan where none of them is known.
+    """
+    excess = float(flow.to_rollers) * losses - (rollers - float(flow.ambient))
+    one = _Scan(rollers, np.where(np.isfinite(excess), excess, np.inf))
+    with np.errstate(invalid="ignore"):  # infinite where nothing rolls
+        return float(_least(one, one))
+
+
 def _least(wide: _Scan, near: _Scan) -> Array:
-    """The least excess of both scans [K], between the points of the first one by the parabola through three."""
+    """The least excess of both scans [K], between the points of the first one by the parabola through three.
+
+    nan where nothing rolls at any temperature.
+    """
     middle = xp.clip(xp.argmin(wide.excess), 1, _POINTS - 2)
     before, at, after = (wide.excess[middle + step] for step in (-1, 0, 1))
     bend = before - 2.0 * at + after
     dips = xp.isfinite(bend) & (bend > 0.0) & (at <= before) & (at <= after)
     vertex = at - 0.125 * (after - before) ** 2 / xp.where(dips, bend, 1.0)
     seen = xp.minimum(xp.min(wide.excess), xp.min(near.excess))
-    return xp.where(dips, xp.minimum(vertex, seen), seen)
+    least = xp.where(dips, xp.minimum(vertex, seen), seen)
+    return xp.where(xp.isfinite(least), least, xp.nan)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from asperity.types import Document
 from asperity.views.blocks import Figure
+from asperity.views.heat import temperature_figure
 from asperity.views.joint import in_its_direction
 from asperity.views.numbers import number, number_in, percent, quantity
 
@@ -40,6 +41,7 @@ def headline(document: Document) -> list[Figure]:
             _known(document, "efficiency") or f"{quantity(document['losses_W']['total'], 'W')} lost",
             document["efficiency"],
         ),
+        *temperature_figure(document),
         Figure("Mass", number(document["mass_kg"]), "kg", "", document["mass_kg"]),
         Figure(
             "Diameter",

@@ -10,6 +10,7 @@ from asperity.joint.torque_limits import first_slip_words, standing_words
 from asperity.joint_file.part_names import drive_type_of
 from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Figure, Heading, Paragraph, Table
+from asperity.views.heat import temperature_figure
 from asperity.views.numbers import number, number_in, percent, quantity, unit_words, words
 from asperity.views.solved_view import SolvedView
 
@@ -124,6 +125,7 @@ def key_figures(view: SolvedView) -> list[Figure]:
             or (why_not if rolling["life_output_turns"] is None else ", ".join(lives)),
             None if document["life_hours"] is None else 3600.0 * document["life_hours"],
         ),
+        *temperature_figure(document),
         Figure("Mass", number(document["mass_kg"]), "kg", "of the rolling parts", document["mass_kg"]),
         Figure(
             "Outside diameter",

@@ -8,6 +8,7 @@ from asperity.results.notes import surface_rows
 from asperity.rolling.document import rating_life_name
 from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Figure, Paragraph, Table
+from asperity.views.heat import heat
 from asperity.views.joint import input_member
 from asperity.views.numbers import number, percent, quantity, sentence, words
 from asperity.views.position import position_rows
@@ -34,6 +35,7 @@ def rolling(view: SolvedView) -> Iterator[Block]:
     yield from _sliding(document)
     yield from films(document)
     yield from view.contact_table("film", "Oil film and asperities")
+    yield from heat(document)
     yield from _thrust(document)
     yield from _life(view)
 

@@ -107,7 +107,7 @@ def _fluid(file: Described, lubricant: Lubricant) -> Iterator[str]:
     lowest = lubricant.lowest_temperature
     if lowest is not None and float(lubricant.temperature) < float(lowest):
         yield (
-            f"{name} at {float(lubricant.temperature) - ZERO_CELSIUS:g} degC: below the lowest temperature of its "
+            f"{name} at {float(lubricant.temperature) - ZERO_CELSIUS:.4g} degC: below the lowest temperature of its "
             f"data, {float(lowest) - ZERO_CELSIUS:g} degC; viscosity and traction are extrapolated"
         )
 

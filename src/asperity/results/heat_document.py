@@ -1,0 +1,63 @@
+"""The temperatures of a joint as a part of its JSON document, but what rows have."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from asperity.joint.heat import duty_temperatures, steady_torque, time_constant
+from asperity.results.places import in_order
+from asperity.results.solved import SolvedJoint
+from asperity.types import Document
+
+
+def heat_document(solved: SolvedJoint) -> Document:
+    """What cools a joint, the losses over its temperature, and its temperatures under its duty.
+
+    The temperatures that rows have wait for them. Of a joint in thermal runaway also the torque that still has a steady
+    temperature.
+    """
+    heat = solved.joint.heat
+    assert heat is not None
+    flow, duty = heat.flow, duty_temperatures(solved.joint)
+    return {
+        "ambient_C": flow.ambient,
+        "resistance_K_per_W": flow.resistance,
+        "roller_resistance_K_per_W": flow.roller_resistance,
+        "oil_limit_C": flow.oil_limit,
+        "steady": bool(heat.is_steady),
+        **in_order("roller_temperature_C housing_temperature_C"),
+        "loss_W": heat.loss,
+        **in_order("gain ambient_reserve_K"),
+        "time_constant_s": time_constant(solved.joint),
+        "steady_torque_Nm": steady_torque_of(solved),
+        "other_states": [
+            {"roller_temperature_C": at, "stable": stable} for at, stable in heat.other_states()
+        ],
+        "over_temperature": {
+            "roller_temperature_C": list(np.asarray(heat.temperatures)),
+            "loss_W": list(np.asarray(heat.losses)),
+        },
+        "duty": None
+        if duty is None
+        else {
+            "mean_C": duty.mean,
+            "peak_C": duty.peak,
+            "peak_beyond_oil_limit": math.isinf(duty.peak),
+            "alone_C": {str(number): at for number, at in enumerate(duty.alone, start=1)},
+        },
+        **in_order("cold_start"),
+    }
+
+
+def steady_torque_of(solved: SolvedJoint) -> float | None:
+    """Of a joint in thermal runaway the largest torque with a steady temperature [N·m]; None for a steady one."""
+    return solved.once(_steady_torque)
+
+
+def _steady_torque(solved: SolvedJoint) -> float | None:
+    joint = solved.joint
+    if joint.heat is None or bool(joint.heat.is_steady):
+        return None
+    return steady_torque(joint, abs(float(joint.output_torque)))
