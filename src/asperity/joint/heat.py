@@ -14,12 +14,12 @@ from asperity.joint.description import Joint, body_masses
 from asperity.joint.machine import joint_machine
 from asperity.joint.temperature import at_temperatures
 from asperity.rolling.duty_heat import DutyHeat, duty_heat
-from asperity.rolling.heat import HeatFlow, least_excess
+from asperity.rolling.heat import HeatFlow, heat_balance
 from asperity.rolling.turning import rolling_at
 from asperity.types import Array
 
-#: Temperatures and torques that are looked at side by side, and how often around the torque that is searched.
-_TEMPERATURES, _TORQUES, _ROUNDS = 24, 8, 2
+#: Temperatures that are looked at side by side, and the share to which a torque is searched.
+_TEMPERATURES, _TORQUE = 24, 0.005
 
 
 def heat_made(joint: Joint) -> Array:
@@ -73,29 +73,30 @@ def _over_temperature(joint: Joint, torque: np.ndarray, speed: np.ndarray) -> tu
 def steady_torque(joint: Joint, largest: float) -> float:
     """Largest output torque of one joint, in the direction of its own, that has a steady temperature [N·m].
 
-    At the joint's speed, without its sign, below the ``largest``, which has none; nan where none has. By a line between
-    the torques at which it was looked at last, 64 of which cover the range.
+    At the joint's speed, without its sign, to half a per cent of the ``largest``, which has none; nan where none has.
     """
-    flow, way = _flow(joint), -1.0 if float(joint.output_torque) < 0.0 else 1.0
+    numbers = without_duty(as_numbers(joint))
+    flow, way = _flow(numbers), -1.0 if float(joint.output_torque) < 0.0 else 1.0
+
+    def settles(torque: float) -> bool:
+        loaded = dataclasses.replace(numbers, output_torque=np.asarray(way * torque))
+
+        def losses(_: tuple[()], housing: Array, rollers: Array) -> Array:
+            return heat_made(at_temperatures(loaded, housing=housing, rollers=rollers))
+
+        return bool(at_once(lambda: heat_balance(flow, losses, ()).is_steady))
+
+    if not settles(0.0):
+        return math.nan
     low, high = 0.0, largest
-    excess = np.full(_TORQUES + 1, np.nan)
-    for _ in range(_ROUNDS):
-        torque = np.linspace(low, high, _TORQUES + 1)
-        speed = np.full(torque.size, float(joint.input_speed))
-        rollers, losses = _over_temperature(joint, way * torque, speed)
-        excess = np.array([least_excess(flow, rollers, each) for each in losses])
-        beyond = np.flatnonzero(~(excess <= 0.0))
-        if not beyond.size:
-            return largest
-        if beyond[0] == 0:
-            return math.nan
-        low, high = torque[beyond[0] - 1 : beyond[0] + 1]
-        below, above = excess[beyond[0] - 1 : beyond[0] + 1]
-    return float(low) if math.isnan(above) else float(low + (high - low) * below / (below - above))
+    while high - low > _TORQUE * largest:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if settles(middle) else (low, middle)
+    return low
 
 
 def rollers_heat_capacity(joint: Joint) -> float:
-    """Heat capacity of all bodies of one joint but its rings, all sectors together [J/K]; nan where one's is not known."""
+    """Heat capacity of all bodies of one joint but its rings, all sectors together [J/K]; nan where one is unknown."""
     capacity = 0.0
     for body, mass, shape, material in zip(
         joint.drive.bodies, body_masses(joint), joint.shapes, joint.materials, strict=True
@@ -114,14 +115,16 @@ def time_constant(joint: Joint) -> float:
 
     .. math:: \tau = \frac{(C_h + C_r)\,R_h + C_r R_r}{1 - g}
 
-    Of one joint with a steady temperature; nan where a heat capacity is not known. By the slower of both nodes, as rollers
-    follow their housing sooner than it follows its surroundings.
+    Of one joint with a steady temperature; nan where a heat capacity is not known. By the slower of both nodes, as
+    rollers follow their housing sooner than it follows its surroundings.
     """
     heat = joint.heat
     if heat is None or heat.flow.heat_capacity is None:
         return math.nan
     flow, rollers = heat.flow, rollers_heat_capacity(joint)
-    slow = (float(flow.heat_capacity) + rollers) * float(flow.resistance) + rollers * float(flow.roller_resistance)
+    slow = (float(flow.heat_capacity) + rollers) * float(flow.resistance) + rollers * float(
+        flow.roller_resistance
+    )
     return slow / (1.0 - float(heat.gain))
 
 

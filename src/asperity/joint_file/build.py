@@ -140,7 +140,7 @@ def _warmed(
         assembly_temperature=temperatures.assembly,
         working_temperature=temperatures.housing,
         housing_expansion=housing_expansion,
-        roller_rise=temperatures.rollers - temperatures.housing if "heat" in values else None,
+        roller_rise=temperatures.rollers - temperatures.housing if temperatures.apart else None,
     )
     return dataclasses.replace(joint, fit=fit)
 

@@ -69,6 +69,9 @@ def joint_film(
         contact_names=tuple(joint.contact_names),
         output_torque=float(joint.output_torque),
         lowest_temperature=None if lowest is None else float(lowest),
+        housing_temperature=float(lubricant.temperature)
+        if joint.heat is None
+        else float(joint.heat.housing_temperature) + ZERO_CELSIUS,
         here=here,
         curves=tuple(curves),
     )

@@ -20,16 +20,23 @@ from asperity.types import Array, Real
 
 #: Where the section [heat] of tables has the steady temperatures of the drive.
 _BALANCE = "balance"
+#: Where [temperature] has by how much the rollers are warmer, if what cools the drive gave its temperatures [K].
+_RISE = "roller_rise"
 #: Joints whose temperatures are remembered: commands ask for those of one file several times.
 _REMEMBERED = 16
 
 
 class Temperatures(NamedTuple):
-    """Temperatures of a joint file [degC]; that of the assembly is None where nothing depends on it."""
+    """Temperatures of a joint file [degC].
+
+    That of the assembly is None where nothing depends on it; ``apart``, whether rollers and housing may differ, because
+    what cools the drive decides.
+    """
 
     assembly: Real | None
     housing: Real
     rollers: Real
+    apart: bool
 
 
 def temperatures_of(values: Values) -> Temperatures | None:
@@ -38,14 +45,17 @@ def temperatures_of(values: Values) -> Temperatures | None:
     Of a drive that is cooled those of its balance, or of its surroundings where that is not known.
     """
     stated, heat = values.get("temperature"), values.get("heat")
-    if heat is None:
-        return (
-            None if stated is None else Temperatures(stated["assembly"], stated["working"], stated["working"])
-        )
-    assembly, balance = (stated or {}).get("assembly"), balance_of(values)
-    if balance is None:
-        return Temperatures(assembly, heat["ambient"], heat["ambient"])
-    return Temperatures(assembly, balance.housing_temperature, balance.roller_temperature)
+    if heat is not None:
+        assembly, balance = (stated or {}).get("assembly"), balance_of(values)
+        if balance is None:
+            return Temperatures(assembly, heat["ambient"], heat["ambient"], True)
+        return Temperatures(assembly, balance.housing_temperature, balance.roller_temperature, True)
+    if stated is None:
+        return None
+    working, rise = stated["working"], stated.get(_RISE)
+    return Temperatures(
+        stated.get("assembly"), working, working + (0.0 if rise is None else rise), rise is not None
+    )
 
 
 def balance_of(values: Values) -> HeatBalance | None:
@@ -100,6 +110,21 @@ def _balance(values: Values, joint_of: Callable[[Values], Joint]) -> HeatBalance
         return heat_made(joint_of(_balanced(tables, at)))
 
     return heat_balance(heat_flow(values), losses, tuple(xp.asarray(number) for number in numbers(values)))
+
+
+def at_one_temperature(values: Values, joint_of: Callable[[Values], Joint]) -> Values:
+    """Tables that state the temperatures at which the drive settles, in place of what cools it.
+
+    So that they may vary; as they are where they state them already.
+    """
+    if "heat" not in values:
+        return values
+    balance = balance_of(with_steady_temperatures(values, joint_of))
+    assert balance is not None
+    stated = {name: section for name, section in values.items() if name != "heat"}
+    housing, rise = balance.housing_temperature, balance.roller_temperature - balance.housing_temperature
+    temperature = values.get("temperature", {}) | {"working": float(housing), _RISE: float(rise)}
+    return stated | {"temperature": temperature}
 
 
 def _balanced(values: Values, balance: HeatBalance) -> Values:

@@ -16,7 +16,7 @@ from asperity.joint_file.build import (
     joint_from_case,
     joint_from_values,
 )
-from asperity.joint_file.heat import with_steady_temperatures
+from asperity.joint_file.heat import at_one_temperature, with_steady_temperatures
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
 
 if TYPE_CHECKING:
@@ -54,6 +54,11 @@ def joint_with_branches(values: Values) -> Joint:
     if "branch" not in values:
         return joint_from_values(values)
     return _at_temperatures(_settled(values))
+
+
+def at_steady_temperature(values: Values) -> Values:
+    """The tables with the temperatures at which the drive settles in place of what cools it, so that they may vary."""
+    return at_one_temperature(values, joint_at_temperatures if "branch" not in values else _at_temperatures)
 
 
 def _settled(values: Values) -> Values:

@@ -15,7 +15,7 @@ from asperity.joint.description import Joint
 from asperity.joint.solve import joint_state, refuse_impossible_joint
 from asperity.joint.temperature import temperature_span
 from asperity.joint_file.build import toleranced_tracks, with_nominal_sizes
-from asperity.joint_file.own_branches import joint_with_branches
+from asperity.joint_file.own_branches import at_steady_temperature, joint_with_branches
 from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.si_tables import AnyCase, Values, key_at, numeric_keys, replace_values, si_values
 from asperity.results.limit_torques import LIMITS, LimitSearch, Ways
@@ -56,7 +56,7 @@ def joint_window(
         raise InputError(
             f"the number of points must be from 2 to {MOST_POINTS}, got {points}", options=["points"]
         )
-    values = si_values(case)
+    values = at_steady_temperature(si_values(case))
     key = window_key(values, over)
     search = _search(case, values, key)
     axis = _axis(values, key, search, start, stop, points)

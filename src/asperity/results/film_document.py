@@ -30,12 +30,13 @@ class FilmOverSpeed(NamedTuple):
     """The oil in the contacts of a joint over speed, under one torque at the output [N·m].
 
     ``here``: at the speed of its file and its temperature, one point; ``curves``: one for each temperature.
-    ``lowest_temperature`` of the oil's data [K], None where none is known.
+    ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K].
     """
 
     contact_names: tuple[str, ...]
     output_torque: float
     lowest_temperature: float | None
+    housing_temperature: float
     here: FilmCurves
     curves: tuple[FilmCurves, ...]
 
@@ -45,6 +46,8 @@ def film_document(film: FilmOverSpeed) -> Document:
     here = film.here
     return {
         "oil_temperature_C": _celsius(here.temperature),
+        "roller_temperature_C": _celsius(here.temperature),
+        "housing_temperature_C": _celsius(film.housing_temperature),
         "lowest_temperature_C": None
         if film.lowest_temperature is None
         else _celsius(film.lowest_temperature),

@@ -109,8 +109,8 @@ ROWS = (
             "the drive settles at a temperature below heat.oil_limit",
             "thermal runaway: at no temperature up to heat.oil_limit does as much heat leave as the losses make; all "
             "numbers are those before it warms",
-            "cool the drive better (a smaller heat.resistance), lower the torque or the speed, or choose an oil of more "
-            "traction or less drag",
+            "cool the drive better (a smaller heat.resistance), lower the torque or the speed, or choose an oil of "
+            "more traction or less drag",
             lowest=0.0,
             unknown="no value: the drive does not roll at any temperature between heat.ambient and heat.oil_limit",
         ),

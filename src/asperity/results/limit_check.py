@@ -64,7 +64,9 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def with_pins(row: Result, solved: SolvedJoint) -> Result:
-    """The self-locking ratio with what is known of the pins, thermal runaway with the torque that has none; else the row.
+    """The self-locking ratio with what is known of the pins, thermal runaway with the torque that has none.
+
+    Every other row as it is.
 
     Not self-locking is a state, with the forces of the pins; it keeps the joint from working only where no balance
     gives these forces, or where they exceed the static rating of the rollers' bearings on the pins.

@@ -24,9 +24,9 @@ Losses = Callable[[float], float]
 class DutyHeat:
     """Temperatures of the rollers of one joint under its duty [degC].
 
-    ``mean``: that at which the mean losses leave; ``alone``: the steady one of each load if it lasted; nan where none is
-    steady. ``peak``: the highest one of the duty that repeats, infinite where it passes the limit of the oil, nan where
-    heat capacities or the time of the duty are not known.
+    ``mean``: that at which the mean losses leave; ``alone``: the steady one of each load if it lasted; nan where none
+    is steady. ``peak``: the highest one of the duty that repeats, infinite where it passes the limit of the oil, nan
+    where heat capacities or the time of the duty are not known.
     """
 
     mean: float
@@ -59,8 +59,8 @@ def duty_heat(
 
     Notes
     -----
-    In the course of the duty the losses are those at the temperature of the rollers, with a housing as warm as in a steady
-    state; between the temperatures given by a cubic spline.
+    In the course of the duty the losses are those at the temperature of the rollers, with a housing as warm as in a
+    steady state; between the temperatures given by a cubic spline.
 
     References
     ----------

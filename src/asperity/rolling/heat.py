@@ -146,10 +146,10 @@ def heat_balance(flow: HeatFlow, losses: Callable[[Tree, Array, Array], Array], 
 
     Notes
     -----
-    The losses are followed from the surroundings to the limit of the oil, at 24 temperatures, then at 24 around the
-    first one at which they fall below what leaves, or where they come nearest to it; a cubic gives the root, with the
-    derivative of the implicit function. The reserve is exact, as surroundings that are warmer by a kelvin move what
-    leaves by a kelvin.
+    The losses are followed from the surroundings to the limit of the oil, or to where the joint does not roll, at 24
+    temperatures, then at 24 around the first one at which they fall below what leaves, or where they come nearest to
+    it; a cubic gives the root, with the derivative of the implicit function. Surroundings that are warmer by a kelvin
+    move what leaves by a kelvin: the reserve is the least distance between both.
 
     References
     ----------
@@ -201,7 +201,7 @@ def _scanned(excess: Callable[[Array], Array], low: Real, high: Real) -> tuple[_
         low, high = ends
         at = low + (high - low) * steps
         found = vectorised(excess)(at)
-        found = xp.where(xp.isfinite(found), found, xp.inf)
+        found = _reached(found)
         falls = _falls(found)
         first, nearest = xp.argmax(falls), xp.argmin(found)
         below = xp.where(xp.any(falls), first, xp.maximum(nearest - 1, 0))
@@ -211,6 +211,14 @@ def _scanned(excess: Callable[[Array], Array], low: Real, high: Real) -> tuple[_
     ends = tuple(xp.asarray(end) + 0.0 * (low + high) for end in (low, high))
     _, both = scan(looked, ends, length=_ROUNDS)
     return trees.map(lambda leaf: leaf[0], both), trees.map(lambda leaf: leaf[-1], both)
+
+
+def _reached(excess: Array) -> Array:
+    """An excess over rising temperatures, infinite from the first one at which the joint does not roll.
+
+    No drive warms up beyond a temperature at which its contacts slip.
+    """
+    return xp.where(xp.cumsum(~xp.isfinite(excess)) == 0, excess, xp.inf)
 
 
 def _falls(excess: Array) -> Array:
@@ -243,17 +251,6 @@ def _lowest_stable(near: _Scan) -> tuple[Array, Array]:
         xp.where(known, near.temperature[start] + width * place, xp.nan),
         xp.where(known, 1.0 + slope / width, xp.nan),
     )
-
-
-def least_excess(flow: HeatFlow, rollers: np.ndarray, losses: np.ndarray) -> float:
-    """By how many kelvins losses at 24 temperatures exceed what leaves, at least; negative where one is steady.
-
-    nan where none of them is known.
-    """
-    excess = float(flow.to_rollers) * losses - (rollers - float(flow.ambient))
-    one = _Scan(rollers, np.where(np.isfinite(excess), excess, np.inf))
-    with np.errstate(invalid="ignore"):  # infinite where nothing rolls
-        return float(_least(one, one))
 
 
 def _least(wide: _Scan, near: _Scan) -> Array:

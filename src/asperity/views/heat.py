@@ -38,7 +38,12 @@ def heat(document: Document) -> Iterator[Block]:
     if stated is None:
         return
     rows = [*_steady(stated), *_cold_start(stated), *_duty(stated)]
-    yield Table("Heat: temperatures at which the drive settles", ("quantity", "value", "what it is"), rows, words=(0, 2))
+    yield Table(
+        "Heat: temperatures at which the drive settles",
+        ("quantity", "value", "what it is"),
+        rows,
+        words=(0, 2),
+    )
     others = [
         f"another {'stable' if state['stable'] else 'unstable'} steady temperature at "
         f"{quantity(state['roller_temperature_C'], 'degC', 3)}"
@@ -82,8 +87,16 @@ def _cold_start(heat: Document) -> list[tuple[str, str, str]]:
     if not cold or all(value is None for value in cold.values()):
         return []
     return [
-        ("cold start, rolling", quantity(cold["rolling_torque_capacity_Nm"], "N*m"), "torque capacity of slip alone"),
-        ("cold start, standing", quantity(cold["standing_torque_capacity_Nm"], "N*m"), "torque capacity of slip alone"),
+        (
+            "cold start, rolling",
+            quantity(cold["rolling_torque_capacity_Nm"], "N*m"),
+            "torque capacity of slip alone",
+        ),
+        (
+            "cold start, standing",
+            quantity(cold["standing_torque_capacity_Nm"], "N*m"),
+            "torque capacity of slip alone",
+        ),
         (
             "cold start, input",
             quantity(cold["input_torque_Nm"], "N*m"),
@@ -103,7 +116,11 @@ def _duty(heat: Document) -> list[tuple[str, str, str]]:
     elif duty["peak_C"] is not None:
         rows.append(("duty, peak", quantity(duty["peak_C"], "degC"), "the highest one as the duty repeats"))
     rows += [
-        (f"duty, load {name} alone", quantity(at, "degC"), "if it lasted" if at is not None else "runs away if it lasts")
+        (
+            f"duty, load {name} alone",
+            quantity(at, "degC"),
+            "if it lasted" if at is not None else "runs away if it lasts",
+        )
         for name, at in duty["alone_C"].items()
     ]
     return rows

@@ -151,8 +151,10 @@ def _interval(document: Document) -> Iterator[Block]:
             for level, said in level_words(document)
         ],
     )
-    low, high = (quantity(interval["drift"][f"{end}_rad_per_output_turn"], "arcmin") for end in ends)
-    yield Paragraph(f"Drift from {low} to {high} per output turn.")
+    drift = [interval["drift"][f"{end}_rad_per_output_turn"] for end in ends]
+    if None not in drift:
+        low, high = (quantity(angle, "arcmin") for angle in drift)
+        yield Paragraph(f"Drift from {low} to {high} per output turn.")
     if rows := _interval_rows(interval):
         yield Table("Asperities of the contacts in this interval", _INTERVAL_HEADS, rows)
     yield Paragraph(interval["words"])
