@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.heat import time_constant
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
@@ -132,6 +133,17 @@ def test_warm_rollers_press_harder():
     assert rise == pytest.approx(2.0 * float(joint.heat.loss), rel=1e-9)
     expansion = float(joint.materials[0].thermal_expansion)
     assert float(joint.fit.thermal_change) == pytest.approx(expansion * 50e-3 * rise, rel=1e-9)
+
+
+def test_time_constant_by_hand():
+    """Heat capacity of housing, sun and three planets times the resistance, less what the losses fall."""
+    case = case_of(STILL + 'heat_capacity = "400 J/K"')
+    joint = joint_from_case(case)
+    steel = joint.materials[0]
+    volume = math.pi * 5e-3 * (10e-3**2 + 3 * 20e-3**2)
+    capacity = float(steel.density) * volume * float(steel.specific_heat_capacity)
+    expected = 3.0 * (400.0 + capacity) / (1.0 - float(joint.heat.gain))
+    assert time_constant(joint) == pytest.approx(expected, rel=1e-9)
 
 
 def test_runaway_is_an_answer_with_the_torque_that_settles():

@@ -64,9 +64,8 @@ def _over_temperature(joint: Joint, torque: np.ndarray, speed: np.ndarray) -> tu
     """
     flow = _flow(joint)
     rollers = np.linspace(float(flow.ambient), float(flow.oil_limit), _TEMPERATURES)
-    loads, warm = np.meshgrid(np.arange(torque.size), rollers, indexing="ij")
-    loads = loads.ravel()
-    found = losses_at(joint, torque[loads], speed[loads], warm.ravel())
+    loads = np.repeat(np.arange(torque.size), rollers.size)
+    found = losses_at(joint, torque[loads], speed[loads], np.tile(rollers, torque.size))
     return rollers, found.reshape(torque.size, rollers.size)
 
 
@@ -79,7 +78,7 @@ def steady_torque(joint: Joint, largest: float) -> float:
     flow, way = _flow(numbers), -1.0 if float(joint.output_torque) < 0.0 else 1.0
 
     def settles(torque: float) -> bool:
-        loaded = dataclasses.replace(numbers, output_torque=np.asarray(way * torque))
+        loaded = dataclasses.replace(numbers, output_torque=way * torque)
 
         def losses(_: tuple[()], housing: Array, rollers: Array) -> Array:
             return heat_made(at_temperatures(loaded, housing=housing, rollers=rollers))
@@ -119,12 +118,11 @@ def time_constant(joint: Joint) -> float:
     rollers follow their housing sooner than it follows its surroundings.
     """
     heat = joint.heat
-    if heat is None or heat.flow.heat_capacity is None:
+    housing = None if heat is None else heat.flow.heat_capacity
+    if heat is None or housing is None:
         return math.nan
     flow, rollers = heat.flow, rollers_heat_capacity(joint)
-    slow = (float(flow.heat_capacity) + rollers) * float(flow.resistance) + rollers * float(
-        flow.roller_resistance
-    )
+    slow = (float(housing) + rollers) * float(flow.resistance) + rollers * float(flow.roller_resistance)
     return slow / (1.0 - float(heat.gain))
 
 

@@ -147,13 +147,16 @@ def _warmed(
 
 def _in_housing(joint: Joint, entry: Values, material: Material, temperatures: Temperatures | None) -> Joint:
     """A joint in the housing that a file describes."""
+    assembly = None if temperatures is None else temperatures.assembly
     housing = Housing(
         material=material,
         outer_radius=0.5 * entry["outer_diameter"],
         interference=entry["interference"],
         friction_coefficient=entry["friction_coefficient"],
-        temperature_rise=None if temperatures is None else temperatures.housing - temperatures.assembly,
-        assembly_temperature=None if temperatures is None else temperatures.assembly,
+        temperature_rise=None
+        if temperatures is None or assembly is None
+        else temperatures.housing - assembly,
+        assembly_temperature=assembly,
     )
     shapes = tuple(
         in_housing(shape, tracks_of(joint, number)[0][0], housing)

@@ -24,6 +24,7 @@ HEADINGS = {
     "branch": "Branches of unlike sizes",
     "load": "Load",
     "temperature": "Temperature",
+    "heat": "Heat",
     "surface": "Surfaces",
     "materials": "Materials",
     "roller": "Rollers",

@@ -132,6 +132,12 @@ class WindowJob(Body):
     )
 
 
+class FilmJob(Body):
+    """The oil in the contacts over the speed of the input."""
+
+    kind: Literal["film"]
+
+
 class SensitivityJob(Body):
     """The influence of every number of the joint file."""
 
@@ -155,7 +161,7 @@ class DesignJob(Body):
     file: str = Field("design.toml", description="Name of the design file, for messages.")
 
 
-AskedJob = Union[WindowJob, SensitivityJob, UncertaintyJob, DesignJob]  # noqa: UP007  # pydantic names its members
+AskedJob = Union[WindowJob, FilmJob, SensitivityJob, UncertaintyJob, DesignJob]  # noqa: UP007  # pydantic names its members
 
 
 class JobRequest(Request):

@@ -13,6 +13,7 @@ from asperity.rolling.curves import rolling_curves
 from asperity.rolling.onset import RollingOnset
 from asperity.show.compliance_figure import draw_budget, draw_levels, draw_margins, margins_height
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
+from asperity.show.heat_figure import heat_figure
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.window_figure import window_figure
@@ -60,6 +61,8 @@ def report_pictures(
     draw_margins(bars.subplots(), judged)
     pictures["margins"] = figure_svg(bars)
     pictures["window"] = figure_svg(window_figure(window, title="", width=_WIDTH))
+    if solved.joint.heat is not None:
+        pictures["heat"] = figure_svg(heat_figure(solved.joint.heat, title="", width=_WIDTH))
     if windup is not None:
         pictures["windup"] = figure_svg(
             windup_figure(windup, onset, title="", stacked=True, capacities=windup_capacities)

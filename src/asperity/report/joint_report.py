@@ -128,6 +128,11 @@ def joint_report(source: ReportSource) -> Report:
         *_windup(examined, pictures),
         Heading("The joint in rolling"),
         *rolling(view),
+        *_picture(
+            pictures,
+            "heat",
+            "Losses over temperature, and the heat that leaves: the joint settles where they meet",
+        ),
         *_picture(pictures, "rolling", "Creep, efficiency, drift and life"),
         *study_sections(source.studies),
         Heading("Inputs"),

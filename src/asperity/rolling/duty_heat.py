@@ -16,6 +16,8 @@ from asperity.rolling.heat import HeatFlow
 #: Places between which a steady temperature is looked for, and samples of the temperature under each load.
 _PLACES, _SAMPLES = 2000, 60
 _TOLERANCE = 1e-8
+#: Temperature that stands for one beyond every limit [degC].
+_HOT = 1e6
 
 Losses = Callable[[float], float]
 
@@ -121,7 +123,9 @@ def _peak(
         ]
 
     def course(state: np.ndarray) -> tuple[np.ndarray, float]:
-        """State after one pass, and the highest temperature of the rollers on the way."""
+        """State after one pass, and the highest temperature of the rollers on the way; hot where that has no end."""
+        if not np.all(np.isfinite(state)):
+            return np.full_like(first, _HOT), math.inf
         highest = float(state[0])
         for curve, time in zip(losses, times, strict=True):
             done = solve_ivp(
@@ -134,7 +138,7 @@ def _peak(
                 atol=1e-6,
             )
             if not done.success or not np.all(np.isfinite(done.y)):
-                return np.full_like(state, np.nan), math.inf
+                return np.full_like(first, _HOT), math.inf
             highest = max(highest, float(done.y[0].max()))
             state = done.y[:, -1]
         return state, highest

@@ -8,6 +8,7 @@ from asperity.results.margins import margins
 from asperity.views.blocks import Block, BlockDocument, Figures, Heading, block_documents
 from asperity.views.branches import branches
 from asperity.views.headline import headline
+from asperity.views.heat import heat
 from asperity.views.joint import (
     assumed,
     contact_forces,
@@ -83,6 +84,7 @@ def page_views(view: SolvedView) -> dict[str, list[BlockDocument]]:
             *surfaces(document),
             *unequal,
         ],
+        "heat": list(heat(document)),
         "assumptions": [assumed(document)],
     }
     return {name: block_documents(blocks) for name, blocks in panels.items()}

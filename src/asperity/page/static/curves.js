@@ -1,7 +1,7 @@
 // The curves of an answer: stiffness, wind-up, drift, losses, life and creep.
 
 import { arcmin, element, number, scaled } from "/numbers.js";
-import { linePlot } from "/plots.js";
+import { LARGE, linePlot } from "/plots.js";
 
 /** What drives, in words. */
 export const driven = (found) => found.geometry.input.replaceAll("_", " ");
@@ -193,6 +193,32 @@ function creepCurves(answer, why) {
     series: known ? series : [],
     note: "Up to gross slip. A dot is the working point of its contact.",
   });
+}
+
+/** Losses over the temperature of the rollers, and what leaves them: they meet where the drive settles. */
+export function heatCurve(found, before) {
+  const { heat } = found;
+  if (!heat) return [];
+  const leaving = (at) => (at - heat.ambient_C) / (heat.resistance_K_per_W + heat.roller_resistance_K_per_W);
+  const { roller_temperature_C: x, loss_W: y } = heat.over_temperature;
+  const lost = (from) => ({ x: from.over_temperature.roller_temperature_C, y: from.over_temperature.loss_W });
+  const most = 1.15 * Math.max(...y.map((value) => value ?? 0));
+  return [
+    linePlot({
+      title: "Losses over temperature",
+      x: "temperature of rollers and oil, °C",
+      y: "W",
+      zero: true,
+      size: LARGE,
+      series: [
+        ...(before?.heat ? [{ name: "baseline", kind: "one", ghost: true, ...lost(before.heat) }] : []),
+        { name: "losses of the joint", kind: "one", x, y },
+        { name: "heat that leaves", kind: "two", x, y: x.map((at) => (leaving(at) <= most ? leaving(at) : null)) },
+      ],
+      point: heat.steady ? { x: heat.roller_temperature_C, y: heat.loss_W, name: "settles here" } : undefined,
+      note: "Where the losses are known: the drive slips at temperatures at which they have no value.",
+    }),
+  ];
 }
 
 /** The angle less the straight line between both ends of the loop. */

@@ -4,8 +4,8 @@ import { elements } from "/blocks.js";
 import { Composer } from "/compose.js";
 import { element, number } from "/numbers.js";
 
-const TITLES = { window: "Window of the torque", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
-const UNITS = { window: "steps", sensitivity: "", uncertainty: "samples", design: "searches" };
+const TITLES = { window: "Window of the torque", film: "Oil film", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
+const UNITS = { window: "steps", film: "temperatures", sensitivity: "", uncertainty: "samples", design: "searches" };
 const STATES = { waiting: "waits", running: "runs", done: "finished", failed: "failed", stopped: "stopped" };
 
 export class JobList {
@@ -38,6 +38,7 @@ export class JobList {
     panel.append(
       element("div", { class: "chart-fields" },
         element("div", { class: "field" }, element("span", {}, "Torque over temperature or preload"), begin("Window", "window", "begin-window", () => ({}))),
+        element("div", { class: "field" }, element("span", {}, "Oil and asperities over speed"), begin("Film", "film", "begin-film", () => ({}))),
         element("div", { class: "field" }, element("span", {}, "Elasticities of every number"), begin("What matters most", "sensitivity", "begin-sensitivity", () => ({}))),
         field("job-samples", "Samples", this.samples),
         field("job-distribution", "Distribution of tolerances", this.distribution),
@@ -136,7 +137,7 @@ export class JobList {
     item.stop.hidden = item.progress.hidden = true;
     if (job.state !== "done") return;
     const { result } = await (await fetch(`/api/jobs/${job.id}`)).json();
-    const parts = { window: (found) => elements(found.views), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
+    const parts = { window: (found) => elements(found.views), film: (found) => elements(found.views), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
     item.body.replaceChildren(...parts, element("a", { class: "button", href: `/api/jobs/${job.id}/result.json`, download: true }, "Save JSON"));
   }
 

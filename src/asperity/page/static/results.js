@@ -1,7 +1,7 @@
 // The results of one joint beside those of a pinned baseline: its views, drawing and curves.
 
 import { elements, keyFigures, marginsTable, pairs } from "/blocks.js";
-import { curves } from "/curves.js";
+import { curves, heatCurve } from "/curves.js";
 import { driveDrawing, freeBodies } from "/drawing.js";
 import { showHeadline } from "/headline.js";
 import { fill, fitTables } from "/panels.js";
@@ -20,6 +20,7 @@ const PANELS = {
   numbers: ({ views }) => pairs(views.numbers[0]),
   bodies: ({ drawing }) => freeBodies(drawing),
   contacts: ({ views }) => elements(views.contacts),
+  heat: ({ views, document: found }, baseline) => [...elements(views.heat), ...heatCurve(found, baseline?.document)],
   assumptions: ({ views }) => elements(views.assumptions),
 };
 
@@ -27,6 +28,7 @@ export function showAnswer(answer, baseline) {
   showHeadline(answer, baseline);
   get("forces").hidden = !answer.drawing.bodies.length;
   get("forces").classList.toggle("several", answer.drawing.bodies.length > 2);
+  get("heat-panel").hidden = !answer.document.heat;
   get("warned").classList.toggle("none", !answer.views.warnings[0].items);
   for (const [name, make] of Object.entries(PANELS)) fill(get(name), () => make(answer, baseline));
   fitTables();
