@@ -25,6 +25,7 @@ def request(name, **changes):
     [
         "tutorial_joint",
         "zou2025",
+        "heat",
         *(
             pytest.param(each, marks=pytest.mark.long)
             for each in ("planetary", "stepped_planet", "wheel_pair")

@@ -13,6 +13,7 @@ from asperity.page.joint_request import JointRequest
 from asperity.results.document import plain_document
 from asperity.results.solved import joint_size
 from asperity.rolling.document import losses, no_life_because, unknown_because
+from asperity.rolling.heat import HeatBalance
 from asperity.types import Document
 from asperity.views.headline import headline
 
@@ -33,6 +34,7 @@ def first_figures(request: JointRequest) -> Document:
     stiffness, rolling, size = result.assembly.stiffness, result.rolling, joint_size(joint, result)
     known = plain_document(
         {
+            **_heat(joint.heat),
             "torsional_stiffness": {
                 "assembly": {
                     "output_Nm_per_rad": stiffness.output,
@@ -56,3 +58,10 @@ def first_figures(request: JointRequest) -> Document:
         }
     )
     return {"figures": [dataclasses.asdict(figure) for figure in headline(known)]}
+
+
+def _heat(heat: HeatBalance | None) -> Document:
+    """What the figures say of the temperature at which a joint settles."""
+    if heat is None:
+        return {}
+    return {"heat": {"steady": bool(heat.is_steady), "roller_temperature_C": heat.roller_temperature}}

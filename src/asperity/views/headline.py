@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from asperity.types import Document
 from asperity.views.blocks import Figure
-from asperity.views.heat import temperature_figure
+from asperity.views.heat import at_temperature
 from asperity.views.joint import in_its_direction
 from asperity.views.numbers import number, number_in, percent, quantity
 
@@ -38,10 +38,10 @@ def headline(document: Document) -> list[Figure]:
             "Efficiency",
             number(document["efficiency"], 100.0),
             "%",
-            _known(document, "efficiency") or f"{quantity(document['losses_W']['total'], 'W')} lost",
+            _known(document, "efficiency")
+            or f"{quantity(document['losses_W']['total'], 'W')} lost{at_temperature(document)}",
             document["efficiency"],
         ),
-        *temperature_figure(document),
         Figure("Mass", number(document["mass_kg"]), "kg", "", document["mass_kg"]),
         Figure(
             "Diameter",

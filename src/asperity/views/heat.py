@@ -24,6 +24,14 @@ def temperature_figure(document: Document) -> list[Figure]:
     ]
 
 
+def at_temperature(document: Document) -> str:
+    """The steady temperature after a number that holds there, with a blank before it; empty where it is stated."""
+    heat = document.get("heat")
+    if heat is None:
+        return ""
+    return f" at {number(heat['roller_temperature_C'])} °C" if heat["steady"] else ", thermal runaway"
+
+
 def _still_steady(heat: Document) -> str:
     """The torque that still has a steady temperature, in words."""
     torque = heat["steady_torque_Nm"]

@@ -1,7 +1,7 @@
 // The curves of an answer: stiffness, wind-up, drift, losses, life and creep.
 
 import { arcmin, element, number, scaled } from "/numbers.js";
-import { LARGE, linePlot } from "/plots.js";
+import { linePlot } from "/plots.js";
 
 /** What drives, in words. */
 export const driven = (found) => found.geometry.input.replaceAll("_", " ");
@@ -209,7 +209,6 @@ export function heatCurve(found, before) {
       x: "temperature of rollers and oil, °C",
       y: "W",
       zero: true,
-      size: LARGE,
       series: [
         ...(before?.heat ? [{ name: "baseline", kind: "one", ghost: true, ...lost(before.heat) }] : []),
         { name: "losses of the joint", kind: "one", x, y },

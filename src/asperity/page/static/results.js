@@ -4,6 +4,7 @@ import { elements, keyFigures, marginsTable, pairs } from "/blocks.js";
 import { curves, heatCurve } from "/curves.js";
 import { driveDrawing, freeBodies } from "/drawing.js";
 import { showHeadline } from "/headline.js";
+import { element } from "/numbers.js";
 import { fill, fitTables } from "/panels.js";
 
 const get = (id) => document.getElementById(id);
@@ -20,7 +21,7 @@ const PANELS = {
   numbers: ({ views }) => pairs(views.numbers[0]),
   bodies: ({ drawing }) => freeBodies(drawing),
   contacts: ({ views }) => elements(views.contacts),
-  heat: ({ views, document: found }, baseline) => [...elements(views.heat), ...heatCurve(found, baseline?.document)],
+  heat: ({ views, document: found }, baseline) => [...elements(views.heat), element("div", { class: "plots" }, ...heatCurve(found, baseline?.document))],
   assumptions: ({ views }) => elements(views.assumptions),
 };
 
