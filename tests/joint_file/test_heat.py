@@ -14,6 +14,8 @@ from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.solved_document import document_of, solved_case
+from asperity.joint_file.window import joint_window
+from asperity.results.torque_capacity import capacity_of_direction
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 STILL = 'ambient = "25 degC"\nresistance = "3 K/W"\n'
@@ -251,3 +253,13 @@ def test_the_document_is_json(solved):
     other = solved_case(parse_case(text, source="joint.toml"))
     assert cold["rolling_torque_capacity_Nm"] == pytest.approx(float(other.rolling_capacity), rel=1e-6)
     assert cold["efficiency"] == pytest.approx(float(other.result.rolling.power.efficiency), rel=1e-9)
+
+
+def test_window_over_temperature_has_the_joint_at_its_own(solved):
+    """The axis is the temperature; at that at which the drive settles the window has the capacity of the joint."""
+    case = case_of(STILL + 'roller_resistance = "0.5 K/W"')
+    found = joint_window(case, points=2)
+    at = solved_case(case)
+    assert found.axis.working == pytest.approx(float(at.joint.heat.housing_temperature), abs=1e-9)
+    expected = float(capacity_of_direction(at).output_torque)
+    assert found.loads[0].capacity.torque[found.working] == pytest.approx(expected, rel=1e-6)

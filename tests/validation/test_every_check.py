@@ -10,6 +10,7 @@ from asperity.validation.run import GROUPS
 #: Groups that take longer than a second.
 SLOW = (
     "creep with oil",
+    "heat",
     "unlike branches",
     "rings",
     "half-space",
@@ -41,6 +42,7 @@ CHECKS = {
         (3, 0.003),
         (11, 0.1),
     ],
+    "heat": [(3, 0.08), (3, 0.08), (1, 1e-6)],
     "stresses": [(3, 1e-09), (2000, 1e-09), (2, 0.002), (10, 0.0002)],
     "fatigue": [(5, 0.0002), (1, 1e-12), (3, 1e-12)],
     "discs": [(1, 0.0005), (1, 0.02)],
