@@ -146,10 +146,10 @@ def warming(wedge, oil, torque):
 def test_paper_joint_by_another_computation(wedge, oil, torque, resistance, temperature, loss, gain):
     flow = dataclasses.replace(FLOW, resistance=resistance)
     found = at_once(lambda: heat_balance(flow, warming(wedge, oil, torque), ()))
-    assert float(found.roller_temperature) - 25.0 == pytest.approx(temperature - 25.0, rel=0.08)
+    assert float(found.roller_temperature) - 25.0 == pytest.approx(temperature - 25.0, rel=0.01)
     if loss is not None:
-        assert float(found.loss) == pytest.approx(loss, rel=0.08)
-        assert float(found.gain) == pytest.approx(gain, rel=0.15)
+        assert float(found.loss) == pytest.approx(loss, rel=0.01)
+        assert float(found.gain) == pytest.approx(gain, rel=0.03)
 
 
 @pytest.mark.parametrize("resistance", [0.3, 1.0])

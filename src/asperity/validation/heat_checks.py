@@ -46,7 +46,7 @@ def heat() -> Iterator[Check]:
         unit="K",
         expected=[each - 25.0 for each in _TEMPERATURES],
         computed=rises,
-        tolerance=0.08,
+        tolerance=0.01,
     )
     yield compared(
         model="Balance of losses and heat",
@@ -55,7 +55,7 @@ def heat() -> Iterator[Check]:
         unit="W",
         expected=list(_LOSSES),
         computed=losses,
-        tolerance=0.08,
+        tolerance=0.01,
     )
     shares, powers, seconds = np.array([0.25, 0.75]), np.array([30.0, 5.0]), 600.0
     flow = HeatFlow(20.0, 2.0, 0.0, 120.0, heat_capacity=300.0, duty_time=seconds)
