@@ -106,12 +106,37 @@ def test_a_film_that_is_computed_asks_for_no_measured_friction():
     assert roller(film_ratio=5.0, with_film=True)["film_ratio"].remedy is None
 
 
+def test_what_a_film_does_to_the_life_is_said():
+    given = {"film_ratio": 1.3, "with_film": True}
+    without = roller(**given)["film_ratio"]
+    assert "state life.cleanliness" in without.remedy
+    known = roller(**given, life_factor=0.4)["film_ratio"]
+    assert "has its film factor" in known.meaning
+    assert known.remedy == "make the surfaces smoother for a longer life"
+    thin = roller(film_ratio=0.1, life_factor=NAN)["film_ratio"]
+    assert "no rating life with so thin a film" in thin.meaning
+    assert "film factor" in roller(film_ratio=5.0, life_factor=1.2)["film_ratio"].meaning
+    assert "film factor" not in roller(film_ratio=5.0)["film_ratio"].meaning
+
+
 def test_one_screen_has_one_advice_on_the_film():
-    """Films of every band beside a drive that loses half of its power to the oil: none asks for a thicker one."""
+    """Films of every band beside a drive that loses half of its power to the oil.
+
+    No film asks for a thicker oil. Where a film is not full, the loss does not ask for a thinner one before both ask
+    for smoother surfaces.
+    """
     films = [roller(film_ratio=ratio)["film_ratio"].remedy for ratio in (0.18, 1.5, 5.0)]
-    (loss,) = loss_notes(rolled(oil=(30.0, 60.0), creep=(1.0, 1.0)), NAMES)
-    asked = [re.findall(r"(thinner|thicker) oil", said) for said in (*films, loss.remedy)]
-    assert asked == [[], [], [], ["thinner"]]
+    assert not any(re.findall(r"(thinner|thicker) oil", said) for said in films)
+    for ratios in ((0.18, 5.0), (1.5, np.nan)):
+        (loss,) = loss_notes(rolled(oil=(30.0, 60.0), creep=(1.0, 1.0), films=ratios), NAMES)
+        assert "make the surfaces smoother and only then the oil thinner" in loss.remedy
+        assert f"at λ {ratios[0]:g} a thinner oil or a lower speed shortens the life" in loss.remedy
+    (full,), (unknown,) = (
+        loss_notes(rolled(oil=(30.0, 60.0), creep=(1.0, 1.0), films=ratios), NAMES)
+        for ratios in ((5.0, 4.0), (np.nan, np.nan))
+    )
+    assert full.remedy == f"{unknown.remedy}; keep λ above 3, below which the life falls"
+    assert unknown.remedy.startswith("choose a thinner oil")
     smoother = (
         "make the surfaces smoother for a longer life; a thicker film also lowers the friction coefficient"
     )
@@ -127,7 +152,9 @@ def test_each_contact_has_its_own_numbers(planar_joint):
     found = plausibility(
         joint := planar_joint("planetary", table),
         SimpleNamespace(
-            rolling=SimpleNamespace(film_ratio=np.array([np.nan, 5.0]), film=None),
+            rolling=SimpleNamespace(
+                film_ratio=np.array([np.nan, 5.0]), life_factor=np.full(2, np.nan), film=None
+            ),
             contact_names=joint.contact_names,
         ),
     )
@@ -149,7 +176,7 @@ def test_crowned_contacts_have_two_notes_more(planar_joint):
         "peak_line_load_ratio": np.array([1.0, 1.7]),
     }
     result = SimpleNamespace(
-        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), film=None),
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), life_factor=np.full(2, np.nan), film=None),
         contact_names=("sp", "pr"),
         diagnostics=SimpleNamespace(**along),
     )
@@ -162,7 +189,8 @@ def test_crowned_contacts_have_two_notes_more(planar_joint):
 def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
     printed = planar_joint("planetary", {'contact_factor = "unity"': 'contact_factor = "printed"'})
     result = SimpleNamespace(
-        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), film=None), contact_names=("sp", "pr")
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan), life_factor=np.full(2, np.nan), film=None),
+        contact_names=("sp", "pr"),
     )
     assert len(plausibility(printed, result)) == len(plausibility(planar_joint("planetary"), result)) + 2
 
@@ -188,14 +216,14 @@ def test_a_joint_that_turns_must_roll_under_its_torque(torque, capacity, value, 
 NAMES = ("sp", "pr")
 
 
-def rolled(*, output=60.0, bearings=0.0, **losses):
+def rolled(*, output=60.0, bearings=0.0, films=(np.nan, np.nan), **losses):
     """Powers [W] of a drive with two contacts; by energy conservation what enters is what leaves and all losses."""
     each = {
         name: np.array(losses.get(name, (np.nan, np.nan))) for name in ("creep", "skew", "hysteresis", "oil")
     }
     lost = sum(np.nansum(value) for value in each.values()) + bearings
     power = SimpleNamespace(**each, bearings=bearings, loss=lost, input=output + lost, output=output)
-    return SimpleNamespace(power=power)
+    return SimpleNamespace(power=power, film_ratio=np.array(films))
 
 
 @pytest.mark.parametrize(

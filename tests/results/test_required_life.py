@@ -10,7 +10,7 @@ from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solved_case
 from asperity.results import RESULTS
 from asperity.results import all_limits as module
-from asperity.results.all_limits import further_checks, life_checks
+from asperity.results.all_limits import film_too_thin, further_checks, life_checks
 from asperity.results.margins import margins
 from asperity.rolling.conditions import DutyPoint
 
@@ -25,14 +25,26 @@ def rows(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: RESULTS)
 
 
-def solved(*, life=math.nan, under_duty=math.nan, duty=(), required=3600.0 * 500.0, films=()):
+def solved(
+    *,
+    life=math.nan,
+    under_duty=math.nan,
+    duty=(),
+    required=3600.0 * 500.0,
+    films=(),
+    of_loads=(math.nan,) * 3,
+    cleanliness=None,
+):
     rolling = SimpleNamespace(
-        life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty, film_ratio=np.array(films)
+        life_hours=SimpleNamespace(drive=life),
+        duty_life_hours=under_duty,
+        film_ratio=np.array(films),
+        duty_film_ratios=np.array(of_loads),
     )
-    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty))
+    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty, cleanliness=cleanliness), input_speed=1.0)
     return SimpleNamespace(
         joint=joint,
-        result=SimpleNamespace(rolling=rolling),
+        result=SimpleNamespace(rolling=rolling, contact_names=("sp", "pr", "wr")[: len(films)]),
         required_life=required,
         has_bearings=(False,) * 4,
         row_names=lambda axis: ("right", "left", "sun", "carrier"),
@@ -76,6 +88,38 @@ def test_a_life_in_a_thin_film_may_be_too_short_but_is_never_met(films, missing)
     assert ("a_ISO" in long.rule.remedy) is bool(missing)
     assert long.meaning == (f"not judged: {missing}" if missing else long.rule.kept)
     assert short.meaning == short.rule.crossed
+
+
+@pytest.mark.usefixtures("rows")
+def test_a_life_with_its_film_factor_is_judged_in_any_film():
+    for films in ((0.3, 4.0), (1.2,), (3.5,)):
+        (long,), (short,) = (
+            life_checks(solved(life=life, films=films, cleanliness=0.5)) for life in (600.0, 400.0)
+        )
+        assert (long.ok, long.known, short.ok, short.known) == (True, True, False, True)
+        assert long.rule.missing == ""
+
+
+@pytest.mark.usefixtures("rows")
+def test_under_a_duty_the_films_under_its_loads_count():
+    """The load at rest has no film; the film under the joint's own torque is no part of its duty."""
+    given = {"under_duty": 600.0, "duty": DUTY, "films": (0.5,)}
+    (thin,) = life_checks(solved(**given, of_loads=(3.5, 2.0, math.nan)))
+    (full,) = life_checks(solved(**given, of_loads=(3.5, 4.0, math.nan)))
+    assert (thin.known, thin.rule.missing) == (False, "no film factor, λ 2")
+    assert (full.ok, full.rule.missing) == (True, "")
+
+
+@pytest.mark.usefixtures("rows")
+def test_a_film_too_thin_for_a_factor_is_the_reason_why_a_life_is_unknown():
+    (check,) = life_checks(solved(films=(0.16, 0.5), cleanliness=0.5))
+    assert (check.ok, check.known) == (False, False)
+    assert "to compare with the required life: at sp κ = λ^1.3 is below 0.1" in check.meaning
+    (duty,) = life_checks(solved(duty=DUTY, of_loads=(0.5, 0.1, math.nan), cleanliness=0.5))
+    assert "under load 2 κ" in duty.meaning
+    thin, thick = (solved(films=(ratio, 2.0), cleanliness=0.5) for ratio in (0.16, 0.18))
+    assert (bool(film_too_thin(thin)), bool(film_too_thin(thick))) == (True, False)
+    assert not film_too_thin(solved(films=(0.16,)))
 
 
 @pytest.mark.usefixtures("rows")

@@ -22,7 +22,8 @@ _NOT_OFFERED = {"forces.output_torque", "speeds", "solved", "contact_law_holds",
 _NOT_OFFERED |= {"rolling.cycles", "rolling.cycles_per_turn", "rolling.duty_life_hours"}
 # as many numbers as the file has loads
 _NOT_OFFERED |= {"rolling.duty_damage_shares", "rolling.duty_load_hours", "rolling.duty_shakedown_ratios"}
-_NOT_OFFERED |= {"rolling.duty_slip_ratios", "contacts.layer_stiffness"}  # the latter by the layer ratio
+_NOT_OFFERED |= {"rolling.duty_slip_ratios", "rolling.duty_film_ratios"}
+_NOT_OFFERED |= {"contacts.layer_stiffness"}  # by the layer ratio
 _NOT_OFFERED |= {f"rolling.life_hours.{part}" for part in ("contact", "body", "drive")}
 # rows of the table too, nan where every spot is plastic (test_status.py)
 _NOT_OFFERED |= {f"interfaces.asperity_{way}" for way in ("normal", "tangential")} | {

@@ -21,10 +21,18 @@ from asperity.rolling.duty import duty_life
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import rolling_at
 
+CLEAN = """[life]
+cleanliness = 0.5
+
+[lubrication]
+pressure_coefficient = "20 1/GPa"
+roughness = "0.2 um"
+"""
 JOINTS = {
     "parallel": SPRINGS,
     "skewed": {**SPRINGS, "[lubrication]": SKEW},
     "crowned": {**SPRINGS, "[load]": CROWNS},
+    "crowned, with a film factor": {**SPRINGS, "[load]": CROWNS, "[lubrication]": CLEAN},
 }
 #: A drive of three kinds of bodies; the first and the last are shared by all branches.
 BODIES = BodiesOfContacts(
@@ -52,9 +60,8 @@ def of_duty(torque, speed, share):
     def rolled(torque, speed):
         ratio = np.array([0.2, 0.3]) * abs(torque)
         hours = Lives(1e4 / abs(torque) ** 3)
-        return Rolled(
-            1e9 / abs(torque) ** 3 * np.ones((2, 2)), np.ones((2, 2)), speed / 6.0, hours, ratio, ratio
-        )
+        cycles = 1e9 / abs(torque) ** 3 * np.ones((2, 2))
+        return Rolled(cycles, np.ones((2, 2)), speed / 6.0, hours, ratio, ratio, ratio)
 
     points = tuple(DutyPoint(torque[k], speed[k], share[k]) for k in range(3))
     conditions = RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points, "reliability": 0.99}))
@@ -152,7 +159,7 @@ FORCES = {
 CREEPS = [
     f"creep, {name}{forces}"
     for name in JOINTS
-    for forces in (("", ", one unknown") if name == "crowned" else FORCES)
+    for forces in (("", ", one unknown") if name.startswith("crowned") else FORCES)
 ]
 LARGE = [*CREEPS, *(f"rolling, {name}" for name in JOINTS), "onset", "at another torque"]
 

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.rolling.document import losses, unknown_because
+from asperity.rolling.document import losses, no_life_because, rating_life_name, unknown_because
 
 
-def joint(input_speed=100.0, duty=(), skew=None):
-    rolling = SimpleNamespace(duty=duty, skew=skew)
+def joint(input_speed=100.0, duty=(), skew=None, cleanliness=None):
+    rolling = SimpleNamespace(duty=duty, skew=skew, cleanliness=cleanliness)
     return SimpleNamespace(input_speed=input_speed, rolling=rolling, ends=("first ring", "carrier"))
 
 
@@ -62,6 +62,28 @@ def test_what_needs_time_power_or_a_duty_is_named():
     assert driven.startswith("no efficiency: the output torque drives the rotation")
     (duty,) = unknown_because(joint(duty=(1,)), result())
     assert duty.startswith("no life under the duty")
+
+
+def test_a_life_that_its_film_leaves_out_has_a_reason():
+    """κ = λ^1.3 is 0.1 at λ = 0.1701."""
+    films = SimpleNamespace(
+        film_ratio=np.array([1.2, 0.171, 0.169]), shakedown_ratio=np.full(3, 0.5), slip_ratio=np.full(3, 0.5)
+    )
+    films.duty_film_ratios, films.duty_life_hours = np.array([0.1, np.nan, 0.16]), np.nan
+    films.residual, films.power = 1e-12, SimpleNamespace(efficiency=0.9)
+    rolled = SimpleNamespace(rolling=films, contact_names=("sp", "pr", "wr"), diagnostics=films)
+    because = no_life_because(joint(cleanliness=0.5), rolled)
+    assert because.startswith("no rating life: at wr κ = λ^1.3 is below 0.1")
+    assert no_life_because(joint(), rolled) is None
+    assert "first ring stands" in no_life_because(joint(input_speed=0.0, cleanliness=0.5), rolled)
+    (duty,) = unknown_because(joint(duty=(1,), cleanliness=0.5), rolled)
+    assert duty.startswith("no life under the duty: under loads 1, 3 κ")
+    (standing,) = unknown_because(joint(input_speed=0.0, cleanliness=0.5), rolled)
+    assert "drift is per turn" in standing
+    assert (rating_life_name(0.9), rating_life_name(0.99, with_film=True)[:17]) == (
+        "Rating life L10",
+        "Rating life L1m, ",
+    )
 
 
 def test_losses_of_all_contacts_by_cause():

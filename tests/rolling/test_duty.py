@@ -5,6 +5,7 @@ import pytest
 from rolled_joint import Lives, Rolled
 
 from asperity.drive.state.state import BodiesOfContacts
+from asperity.engine.arrays import xp
 from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.rolling.duty import duty_life
 
@@ -19,9 +20,9 @@ SLOPE = 10.0 / 9.0
 CYCLES = 1e9  # that a track lives at a torque of 1 N·m; the life falls with the cube of the torque
 
 
-def conditions(*loads, reliability=0.9):
+def conditions(*loads, **stated):
     points = tuple(DutyPoint(*map(np.asarray, load)) for load in loads)
-    return RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points, "reliability": reliability}))
+    return RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points} | stated))
 
 
 def rolled(torque, speed):
@@ -36,6 +37,7 @@ def rolled(torque, speed):
         life_hours=Lives(hours),
         shakedown_ratio=torque * np.array([0.1, 0.3, 0.2, 0.1, 0.1]),
         slip_ratio=torque * np.array([0.2, 0.1, 0.2, 0.4, 0.1]),
+        film_ratio=carrier / np.pi * np.array([2.0, 1.0, 0.5, 1.0, 3.0]),
     )
 
 
@@ -71,6 +73,7 @@ def test_damage_adds_up_over_time():
     np.testing.assert_allclose(life.load_hours, alone / np.array([1.0, 8.0, 2.0]), rtol=1e-12)
     np.testing.assert_allclose(life.shakedown_ratios, [0.3, 0.6, 0.3], rtol=1e-12)  # of the worst contact
     np.testing.assert_allclose(life.slip_ratios, [0.4, 0.8, 0.4], rtol=1e-12)
+    np.testing.assert_allclose(life.film_ratios, [1.0, 1.0, 2.0], rtol=1e-12)  # of the thinnest film
     assert float(life.turns / life.hours) == pytest.approx(3600.0 * 1.2, rel=1e-12)
 
 
@@ -86,3 +89,24 @@ def test_more_certainty_is_less_life():
 def test_a_duty_that_only_stands_lasts():
     life = found((1.0, 0.0, 1.0))
     assert np.isinf(life.hours)
+
+
+def test_a_load_that_stands_needs_no_film():
+    """With a factor for the film a load at rest has no life, and none of its cycles count; slipping, it is unknown."""
+    turns, stands = (1.0, 20.0 * np.pi, 0.5), (2.0, 0.0, 0.5)
+
+    def without_film(torque, speed):
+        known = rolled(torque, speed)
+        return known._replace(cycles=xp.where(speed > 0.0, known.cycles, np.nan))
+
+    def life(*loads, rolled=without_film, **stated):
+        return duty_life(
+            conditions=conditions(*loads, **stated), bodies=WEDGE_DRIVE, branches=3.0, rolled=rolled
+        )
+
+    alone = float(life((*turns[:2], 1.0)).hours)
+    together = life(turns, stands, cleanliness=0.5)
+    assert float(together.hours) == pytest.approx(2.0 * alone, rel=1e-12)
+    np.testing.assert_allclose(together.damage_shares, [1.0, 0.0], atol=1e-15)
+    assert np.isnan(life(turns, stands).hours)
+    assert np.isnan(life(turns, (3.0, 0.0, 0.5), cleanliness=0.5).hours)  # its slip ratio is 1.2

@@ -7,11 +7,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.contact.life_factor import life_modification_factor
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
 from asperity.drive.state.state import RollingSpeeds
 from asperity.joint.description import joint_contacts
 from asperity.materials import Material
 from asperity.rolling.conditions import PLAIN_ROLLING
+from asperity.rolling.life import film_factors
 from asperity.rolling.surface import flash_temperatures, mean_half_width, oil_film, rolling_strips
 
 STEEL = Material(206e9, 0.3, 7800.0, 450e6, 1260e6, thermal_conductivity=46.0, specific_heat_capacity=460.0)
@@ -192,3 +194,49 @@ def test_life_of_a_crowned_track_is_that_of_its_slices(crowned):
     )
     expected = 1e6 * np.sum(np.asarray(alone) ** -slope, axis=0) ** (-1.0 / slope)
     np.testing.assert_allclose(found.tracks[0], expected, rtol=1e-9)
+
+
+def test_the_film_factor_of_a_crowned_contact_is_that_of_its_slices(crowned, crowned_pairs):
+    """Each slice lives its own factor longer; kappa 1 of the contact, e_C C_u/P by the pressure of each slice."""
+    found = crowned(np.zeros(5))
+    lines, slope = found.lines, 10.0 / 9.0
+    width = np.asarray(lines.half_width)
+    pressure = 2.0 * np.asarray(lines.line_load) / (math.pi * width)
+    alone = line_contact_life(
+        peak_pressure=pressure,
+        half_width=width,
+        contact_length=np.maximum(np.asarray(lines.length_share), 1e-30) * LENGTH,
+        track_radius=4e-3,
+        material_constant=BEARING_STEEL,
+    )
+    ratio = 0.5 * (1.5e9 / np.where(pressure > 0.0, pressure, np.inf)) ** 2
+    bracket = 1.0 - (1.5859 - 1.2348) * np.where(pressure > 0.0, ratio, 0.0) ** 0.4
+    factor = np.where(bracket > 0.50837, 0.1 * np.maximum(bracket, 0.5) ** -9.185, 50.0)
+    together, without = (
+        np.sum(np.asarray(lives) ** -slope, axis=0) ** (-1.0 / slope) for lives in (alone * factor, alone)
+    )
+    shown = film_factors(
+        pairs=crowned_pairs,
+        lines=lines,
+        peak_pressure=found.peak_pressure,
+        film_ratio=np.ones(5),
+        cleanliness=0.5,
+    )
+    np.testing.assert_allclose(shown, together / without, rtol=1e-4)
+    assert np.all(np.ptp(factor[:, :3], axis=0) > 0.01)  # the slices differ
+
+
+def test_the_film_factor_of_an_even_contact_is_that_of_its_pressure(strips, paper_joint):
+    found = strips(np.zeros(5))
+    pairs = joint_contacts(paper_joint()).pairs
+    films = np.array([0.1, 0.17, 0.6, 2.0, 5.0])
+    shown = film_factors(
+        pairs=pairs, lines=None, peak_pressure=found.peak_pressure, film_ratio=films, cleanliness=0.3
+    )
+    expected = life_modification_factor(
+        viscosity_ratio=films**1.3,
+        cleanliness=0.3,
+        fatigue_load_ratio=(1.5e9 / np.asarray(found.peak_pressure)) ** 2,
+    )
+    np.testing.assert_allclose(shown, expected, rtol=1e-12)
+    assert np.isnan(shown).tolist() == [True, True, False, False, False]

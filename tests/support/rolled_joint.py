@@ -18,3 +18,4 @@ class Rolled(NamedTuple):
     life_hours: Lives
     shakedown_ratio: object
     slip_ratio: object
+    film_ratio: object

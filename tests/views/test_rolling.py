@@ -131,8 +131,15 @@ def test_film_and_flash_temperature_where_they_are_known(paper_view, planetary_v
     contacts = turning["contacts"]
     known = contacts["sp"] | {"film_thickness_m": 4e-7, "film_ratio": 1.6}
     changed = planetary_view.document | {"rolling": turning | {"contacts": contacts | {"sp": known}}}
-    (shown,) = films(changed)
+    shown, bands = films(changed)
     assert cells(shown)["sp"][1:] == ("0.4", "1.6", "mixed")
+    assert "mixed to 3, the oil film carries part of the load" in bands.text
+    stated = changed["input"] | {"life": {"cleanliness": 0.5}}
+    known = {name: contact | {"life_factor": None} for name, contact in contacts.items()}
+    known["sp"] |= {"film_thickness_m": 4e-7, "film_ratio": 1.6, "life_factor": 0.4321}
+    shown, _ = films(changed | {"input": stated, "rolling": turning | {"contacts": known}})
+    assert shown.head[-1] == "film factor\nof the life"
+    assert [cells(shown)[name][-1] for name in ("sp", "pr")] == ["0.4321", "–"]
 
 
 def test_axes_that_are_parallel_give_no_thrust(planetary_view):

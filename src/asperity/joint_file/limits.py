@@ -106,6 +106,14 @@ SUPPLY = Key(
 )
 CREEP_LIMIT = Key(Dimension.DIMENSIONLESS, 1e-4, 1.0, example="0.02")
 SLIP_SPEED = Key(Dimension.SPEED, 1e-9, 1e3, "m/s", example="0.01 m/s")
+CLEANLINESS = Key(
+    Dimension.DIMENSIONLESS,
+    0.0,
+    1.0,
+    open_lower=True,
+    example="0.5",
+    hint="it is the contamination factor e_C of ISO 281, 1 for the cleanest oil",
+)
 ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
 KINEMATIC_VISCOSITY = Key(Dimension.KINEMATIC_VISCOSITY, 1.0, 1e5, "mm^2/s", example="34 mm^2/s")
 OIL_DENSITY = Key(Dimension.DENSITY, 100.0, 1e4, "kg/m^3", example="880 kg/m^3")

@@ -40,12 +40,14 @@ from asperity.joint_file.sections import (
     HeatEntry,
     HeldBearing,
     HousingEntry,
+    LifeEntry,
     Lubrication,
     PinBearing,
     PinEntry,
     PlayEntry,
     TemperatureEntry,
     refuse_branches,
+    refuse_cleanliness,
     refuse_part_of_a_duty,
     refuse_temperature,
     refuse_temperatures,
@@ -193,6 +195,8 @@ class Case(WholeFile):
     """The oil; dry if the section is absent."""
     fluids: dict[FluidName, FluidEntry] | None = None
     """Oils by name, for lubrication.fluid."""
+    life: LifeEntry | None = None
+    """Cleanliness of the oil, for lives with a factor for the film; without one if the section is absent."""
     duty: Duty | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     dynamics: DynamicsEntry | None = None
@@ -253,9 +257,13 @@ class Case(WholeFile):
 
     def contact_law(self) -> ContactLawName:
         """The law of the asperities of all contacts, stated or not."""
+        return contact_law_of(self._surface_keys(), stated=self.model.contact_law)
+
+    def _surface_keys(self) -> list[set[str]]:
+        """Keys that the surfaces state, one set for all contacts or for each."""
         surface: Any = self.surface
         entries = surface.values() if isinstance(surface, dict) else [surface]
-        return contact_law_of((entry.stated_keys() for entry in entries), stated=self.model.contact_law)
+        return [entry.stated_keys() for entry in entries]
 
     @model_validator(mode="after")
     def _exact_where_needed(self) -> Self:
@@ -351,6 +359,7 @@ class Case(WholeFile):
             self.fluids or {},
             temperature=not (self.temperature is None and self.heat is None),
         )
+        refuse_cleanliness(self.life, self.lubrication, self._surface_keys())
         return self
 
     @model_validator(mode="after")

@@ -79,6 +79,7 @@ def rolling_conditions(values: Values, temperature: Real | None) -> RollingCondi
             "pressure_coefficient", plain.pressure_viscosity_coefficient
         ),
         "roughness": film_roughness(values),
+        "cleanliness": values.get("life", {}).get("cleanliness", plain.cleanliness),
         "duty": tuple(
             DutyPoint(load["output_torque"], load["sun_speed"], load["share"])
             for load in values.get("duty", {}).values()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Annotated, Literal, Self
 
 from pydantic import BeforeValidator, Field, StringConstraints, model_validator
@@ -97,6 +97,38 @@ class Lubrication(Section):
         if any(later <= earlier for earlier, later in itertools.pairwise(speeds)):
             raise InputError("boundary_friction: the speeds must rise from pair to pair; sort them")
         return self
+
+
+class LifeEntry(Section):
+    """What the oil does to the life; without it lives have no factor for the film."""
+
+    cleanliness: Annotated[Quantity, limits.CLEANLINESS]
+    """Contamination factor e_C of ISO 281, which makes the factor a_ISO of the rating life from the oil film of every
+    contact. For parts below 100 mm: 1 in a laboratory, 0.8 to 0.6 with a very fine filter or sealed for life, 0.6 to
+    0.5 with a fine filter, 0.5 to 0.3 slightly contaminated, 0.3 to 0.1 without seals, below 0.1 severely; larger parts
+    up to 0.2 more. Needs the film ratio: an oil with a pressure coefficient or by name, and its roughness."""
+
+
+def refuse_cleanliness(
+    life: LifeEntry | None, oil: Lubrication | None, surfaces: Iterable[Collection[str]]
+) -> None:
+    """Refuse a cleanliness without the film ratio that it needs.
+
+    ``surfaces``: keys that each surface states.
+    """
+    if life is None:
+        return
+    stated = f"life.cleanliness = {life.cleanliness.text!r}"
+    if oil is None or (oil.fluid is None and oil.pressure_coefficient is None):
+        raise InputError(
+            f"{stated} needs the oil film of the contacts: give [lubrication] fluid with temperature.working, or "
+            "viscosity and pressure_coefficient; or leave [life] out"
+        )
+    if oil.roughness is None and not all("roughness_average" in keys for keys in surfaces):
+        raise InputError(
+            f"{stated} needs the ratio of the oil film to the roughness: give lubrication.roughness, e.g. "
+            '"0.2 um", or state every surface by its Ra; or leave [life] out'
+        )
 
 
 #: Highest temperature of an oil where a file states none [degC].

@@ -41,6 +41,7 @@ HEADINGS = {
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "fluids": "Oils",
+    "life": "Life",
     "duty": "Duty",
     "dynamics": "Dynamics",
 }

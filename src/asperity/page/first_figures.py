@@ -51,7 +51,7 @@ def first_figures(request: JointRequest) -> Document:
             "envelope_diameter_m": size.envelope_diameter,
             "rolling": {
                 "unknown_because": unknown_because(joint, result),
-                "no_life_because": no_life_because(result),
+                "no_life_because": no_life_because(joint, result),
                 "reliability": joint.rolling.reliability,
                 "life_output_turns": rolling.life_turns.drive,
             },

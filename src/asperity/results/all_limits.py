@@ -8,12 +8,16 @@ import math
 
 import numpy as np
 
+from asperity.contact.life_factor import LEAST_FILM_RATIO
+from asperity.engine.arrays import xp
 from asperity.results import RESULTS, Limit, Result
+from asperity.results.film_bands import film_band
 from asperity.results.limit_check import LimitCheck, checked_limits
-from asperity.results.notes import film_band
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.rolling.conditions import DutyPoint
+from asperity.rolling.document import no_duty_factor_because, no_factor_because
+from asperity.types import Array
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
@@ -110,28 +114,25 @@ def _not_carried(loads: list[str]) -> Result:
 def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """The lives of the drive and of its rolling bearings, compared with the life that is required; empty without one.
 
-    Under a duty the lives are those under the duty. The life of the drive has no factor for the oil film: where the
-    film is not full at every contact, it may be too short, but it is never long enough.
+    Under a duty the lives are those under the duty. Without life.cleanliness the life of the drive has no factor for
+    the oil film: where the film is not full at every contact, under every load of the duty, the life may be too short,
+    but it is never long enough.
 
     References
     ----------
-    Equations (B8) and (L2) of :doc:`/equations`.
+    Equations (B8), (F6) and (L2) of :doc:`/equations`.
     """
     if solved.required_life is None:
         return ()
     duty = bool(solved.joint.rolling.duty)
     required, less = solved.required_life, "lower the preload, the torque or the speed, or"
-    unknown = "no rating life to compare with the required life: " + (
-        "a load of the [[duty]] is not carried"
-        if duty
-        else "the joint slips, exceeds the shakedown limit, or stands (speed 0) without a [[duty]]"
-    )
+    unknown = f"no rating life to compare with the required life: {_no_life_because(solved)}"
     missing, life = _no_film_factor(solved), _life_of_drive(solved)
     remedy = f"{less} make rollers larger or contacts longer"
     if missing and life >= required:
         remedy = (
-            "multiply the life by the a_ISO of ISO 281 for this film and compare the product with the required life; "
-            "smoother surfaces raise λ"
+            "state life.cleanliness: the life then has the factor a_ISO of ISO 281 for this film; smoother surfaces "
+            "raise λ"
         )
     of_drive = required_life_row("duty_life" if duty else "drive_life", required, remedy, unknown, missing)
     words = "rating life under the duty" if duty else "rating life"
@@ -148,14 +149,39 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     return LimitCheck(of_drive, None, life), *bearings
 
 
+def _no_life_because(solved: SolvedJoint) -> str:
+    """Why there is no life of the drive to compare with the one that is required."""
+    joint, result = solved.joint, solved.result
+    if joint.rolling.duty:
+        return no_duty_factor_because(joint, result.rolling) or "a load of the [[duty]] is not carried"
+    return no_factor_because(joint, result) or (
+        "the joint slips, exceeds the shakedown limit, or stands (speed 0) without a [[duty]]"
+    )
+
+
 def _no_film_factor(solved: SolvedJoint) -> str:
-    """What the life of the drive lacks where its oil film is not full; empty where it is full or not known."""
-    ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
+    """What the life of the drive lacks where its oil film is not full; empty where it is full or not known.
+
+    Empty also where lives have the factor, by life.cleanliness.
+    """
+    rolling = solved.result.rolling
+    if solved.joint.rolling.cleanliness is not None:
+        return ""
+    of_loads = rolling.duty_film_ratios if solved.joint.rolling.duty else rolling.film_ratio
+    ratios = np.asarray(of_loads, dtype=float)
     known = ratios[np.isfinite(ratios)]
     if not known.size or film_band(float(known.min())) == "full":
         return ""
     least = float(known.min())
     return f"no film factor, λ {format_quantity(least, '1', 2)}"
+
+
+def film_too_thin(solved: SolvedJoint) -> Array:
+    """Whether lives are to have a factor for the oil film and a film is too thin for one, shape (...)."""
+    rolling = solved.result.rolling
+    of_loads = rolling.duty_film_ratios if solved.joint.rolling.duty else rolling.film_ratio
+    stated = solved.joint.rolling.cleanliness is not None
+    return xp.asarray(stated & xp.any(of_loads < LEAST_FILM_RATIO, axis=0))
 
 
 def _life_of_drive(solved: SolvedJoint) -> float:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.results.notes import film_band
+from asperity.results.film_bands import film_band
 from asperity.rolling.conditions import ZERO_CELSIUS
 from asperity.rolling.film_curves import FilmCurves
 from asperity.types import Document

@@ -23,7 +23,7 @@ from asperity.joint.evaluation import joint_result, states_under_torque
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.results import RESULTS, Result
-from asperity.results.all_limits import required_life_row
+from asperity.results.all_limits import film_too_thin, required_life_row
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import (
     ALIKE,
@@ -212,7 +212,8 @@ class LimitSearch:
             lives = ("duty_life", "bearing_duty_life") if self._has_duty else ("drive_life", "bearing_life")
         rows = tuple(required_life_row(name, self.required_life or math.nan, "", "") for name in lives)
         entries = [entry._replace(limit=REQUIRED_LIFE) for entry in entries_of_rows(self.reference, rows)]
-        return _Rows(rows, tuple(entries), self._under_duty if self._has_duty else _under_torque)
+        under = self._under_duty if self._has_duty else _under_torque
+        return _Rows(rows, tuple(entries), under, of_lives=True)
 
     @property
     def _has_duty(self) -> bool:
@@ -333,11 +334,15 @@ def _under_torque(joint: _Assembled, torque: Array) -> SolvedJoint:
 
 @dataclass(frozen=True)
 class _Rows:
-    """Rows with limits, their ``entries`` in the order of the excesses, and what one joint is under a torque [N·m]."""
+    """Rows with limits, their ``entries`` in the order of the excesses, and what one joint is under a torque [N·m].
+
+    ``of_lives``: whether they are lives, of which a film too thin for any keeps none.
+    """
 
     rows: tuple[Result, ...]
     entries: tuple[LimitEntry, ...]
     under: Callable[[_Assembled, Array], SolvedJoint]
+    of_lives: bool = False
 
     @functools.cached_property
     def groups(self) -> tuple[list[str], np.ndarray]:
@@ -347,7 +352,9 @@ class _Rows:
 
     def excesses(self, joint: _Assembled, torque: Array) -> Array:
         """By how much one joint exceeds the limits under a torque [N·m]."""
-        return xp.asarray(excesses_of_rows(self.under(joint, torque), self.rows))
+        solved = self.under(joint, torque)
+        excesses = xp.asarray(excesses_of_rows(solved, self.rows))
+        return xp.where(film_too_thin(solved), xp.inf, excesses) if self.of_lives else excesses
 
     def first_reached(self, joints: _Assembled, groups: np.ndarray, starts: np.ndarray) -> FirstLimit:
         """Where each of many joints reaches a limit of a group, below a torque at which it is crossed [N·m]."""

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from asperity.contact.hertz_line import effective_radius
 from asperity.joint.description import Joint
 from asperity.joint.diagnostics import Diagnostics
 from asperity.joint.evaluation import JointResult
+from asperity.results.film_bands import BAND_WORDS, FULL_FILM, film_band, life_with_film
 from asperity.rolling.document import losses
 from asperity.rolling.rolling import RollingResult
 from asperity.unit_table import Dimension
@@ -32,8 +32,6 @@ FRICTION_LIMIT = 0.3
 SLENDERNESS_LIMIT = 3.0
 #: Width over loaded length of a crowned contact above which its slices err by more than 2 % in the peak pressure [-].
 WIDTH_OVER_LENGTH_LIMIT = 0.25
-#: Oil film over roughness above which the film carries a part of the load, and all of it [-]; Tallian 1967.
-MIXED_FILM, FULL_FILM = 1.0, 3.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
 PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
 PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
@@ -83,35 +81,6 @@ class Note:
     upper: bool = False
 
 
-def surface_rows(
-    contacts: Mapping[str, Any],
-) -> list[tuple[str, float | None, float | None, float | None, str]]:
-    """Flash temperature [K], smallest oil film [µm], film over roughness and lubrication of the contacts in rolling.
-
-    From a document of a joint; no rows where nothing of it is known.
-    """
-    rows = []
-    for name, contact in contacts.items():
-        rise, film, ratio = (
-            contact[key] for key in ("flash_temperature_K", "film_thickness_m", "film_ratio")
-        )
-        thick, band = None if film is None else 1e6 * film, "" if ratio is None else film_band(ratio)
-        rows.append((name, rise, thick, ratio, band))
-    return rows if any(number is not None for row in rows for number in row[1:4]) else []
-
-
-def film_band(ratio: float) -> str:
-    """Who carries the load at an oil film over roughness: the asperities, both, or the film; empty for nan.
-
-    References
-    ----------
-    T. E. Tallian, ASLE Trans. 10 (1967) 418.
-    """
-    if math.isnan(ratio):
-        return ""
-    return "boundary" if ratio < MIXED_FILM else "mixed" if ratio < FULL_FILM else "full"
-
-
 def contact_notes(
     name: str,
     *,
@@ -121,11 +90,13 @@ def contact_notes(
     effective_radius: float,
     film_ratio: float,
     with_film: bool = False,
+    life_factor: float | None = None,
     contact_factor_model: str,
 ) -> list[Note]:
     """Notes on the friction, length, oil film and size of one contact of any drive.
 
-    ``with_film``: whether creep and capacity follow from the film.
+    ``with_film``: whether creep and capacity follow from the film; ``life_factor``: that of the rating life for the
+    film [-], nan where the film is too thin for one, None where lives have none.
     """
     notes = [
         _note(
@@ -152,7 +123,7 @@ def contact_notes(
         ),
     ]
     if math.isfinite(film_ratio):
-        notes.append(_film(name, film_ratio, with_film))
+        notes.append(_film(name, film_ratio, with_film, life_factor))
     if contact_factor_model != "unity":
         notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
     return notes
@@ -205,22 +176,19 @@ def _note(
     return Note(name, label, contact, value, limit, ok, "accuracy", meaning, None if ok else remedy)
 
 
-def _film(contact: str, ratio: float, with_film: bool) -> Note:
+def _film(contact: str, ratio: float, with_film: bool, life_factor: float | None) -> Note:
     """The lubrication of a contact: a state with a consequence, never a limit that is kept.
 
     Equally serious in every band, so that a thicker film never counts for less. The thickness of the oil itself is no
-    advice: a thicker film lengthens the life and lowers the friction, and a thicker oil raises its loss. ``with_film``:
-    whether creep and capacity follow from the film.
+    advice: a thicker film lengthens the life and lowers the friction, and a thicker oil raises its loss. Smoother
+    surfaces cost neither, and :func:`loss_notes` asks for them before a thinner oil. ``with_film`` and ``life_factor``
+    as for :func:`contact_notes`.
     """
-    band = film_band(ratio)
-    life = "the rating life has no film factor and is too long"
+    band, life = film_band(ratio), life_with_film(life_factor)
     dry = "friction, creep, drift and capacity are computed for surfaces that touch, not for the oil"
-    load = {
-        "boundary": "the asperities carry the load and wear",
-        "mixed": "the oil film carries part of the load",
-        "full": "the oil film carries the load",
-    }[band]
-    told = {"boundary": (load, life), "mixed": (load, life, dry), "full": (load, dry)}[band]
+    load = BAND_WORDS[band]
+    full = (load, dry) if life_factor is None else (load, life, dry)
+    told = {"boundary": (load, life), "mixed": (load, life, dry), "full": full}[band]
     meaning = "; ".join(part for part in told if not (with_film and part == dry))
     measure = "enter the friction coefficient measured with this oil at this film"
     smoother = (
@@ -228,7 +196,8 @@ def _film(contact: str, ratio: float, with_film: bool) -> Note:
     )
     if with_film:
         smoother, measure = "make the surfaces smoother for a longer life", ""
-    remedy = {"boundary": (smoother,), "mixed": (measure, smoother), "full": (measure,)}[band]
+    factor = "state life.cleanliness, which gives the life its film factor" if life_factor is None else ""
+    remedy = {"boundary": (factor, smoother), "mixed": (measure, factor, smoother), "full": (measure,)}[band]
     remedies = "; ".join(part for part in remedy if part)
     return Note(
         "film_ratio",
@@ -280,7 +249,7 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
         np.broadcast_to(np.asarray(values, dtype=float), first.shape)
         for values in (joint.friction_coefficients, joint.contact_lengths)
     )
-    films = np.asarray(result.rolling.film_ratio)
+    films, factors = np.asarray(result.rolling.film_ratio), np.asarray(result.rolling.life_factor)
     notes: list[Note] = []
     for index, name in enumerate(result.contact_names):
         notes += contact_notes(
@@ -297,6 +266,7 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
             ),
             film_ratio=float(films[index]),
             with_film=result.rolling.film is not None,
+            life_factor=None if joint.rolling.cleanliness is None else float(factors[index]),
             contact_factor_model=joint.contact_factor_model,
         )
         if crowns is not None and float(crowns[index]) > 0.0:
@@ -344,6 +314,8 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
     by_cause = {name: float(np.asarray(value)) for name, value in losses(rolling).items() if name in _CAUSES}
     cause = max(by_cause, key=lambda name: np.nan_to_num(by_cause[name]))
     words, remedy = _CAUSES[cause]
+    if cause == "oil":
+        remedy = _less_oil_loss(np.asarray(rolling.film_ratio), remedy)
     where = ""
     if cause != "bearings":
         by_contact = np.asarray(getattr(power, cause))
@@ -366,6 +338,20 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
             state="" if ok else "large losses",
             upper=True,
         ),
+    )
+
+
+def _less_oil_loss(film_ratios: np.ndarray, remedy: str) -> str:
+    """What makes the loss of the oil smaller without costing life, by the ratios of the films to the roughness."""
+    known = film_ratios[np.isfinite(film_ratios)]
+    if not known.size:
+        return remedy
+    least = float(known.min())
+    if film_band(least) == "full":
+        return f"{remedy}; keep λ above {FULL_FILM:g}, below which the life falls"
+    return (
+        "use the drive for more torque, or make the surfaces smoother and only then the oil thinner: at "
+        f"λ {format_quantity(least, '1', 2)} a thinner oil or a lower speed shortens the life"
     )
 
 

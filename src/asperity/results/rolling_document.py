@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from asperity.joint.torque_limits import capacity_document
+from asperity.results.film_bands import film_band
 from asperity.results.places import in_order
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import losses, no_life_because, unknown_because
@@ -36,7 +37,7 @@ def rolling_document(solved: SolvedJoint) -> Document:
         "losses_W": losses(rolling),
         **in_order("axial_thrust_N"),
         "reliability": np.asarray(joint.rolling.reliability),
-        "no_life_because": no_life_because(result),
+        "no_life_because": no_life_because(joint, result),
         **in_order("life_hours life_output_turns body_life_hours body_life_output_turns"),
         **in_order("duty_life_hours duty_life_output_turns"),
         "duty": {
@@ -63,7 +64,9 @@ def _contact(solved: SolvedJoint, k: int) -> Document:
     rolling = solved.result.rolling
     return {
         **in_order("creepage traction_coefficient hertz_pressure_Pa shakedown_ratio life_hours slip_ratio"),
-        **in_order("flash_temperature_K film_thickness_m film_ratio normal_N tangential_N oil_drag_N"),
+        **in_order("flash_temperature_K film_thickness_m film_ratio"),
+        "lubrication": film_band(float(np.asarray(rolling.film_ratio)[k])) or None,
+        **in_order("life_factor normal_N tangential_N oil_drag_N"),
         **in_order("hysteresis_moment_Nm skew_drag_N stick_fraction layer_ratio layer_creepage_factor"),
         **in_order("rough_half_width_m rough_peak_pressure_Pa crown_creepage_factor skew_creepage_factor"),
         **in_order("capacity_loss axial_force_N"),

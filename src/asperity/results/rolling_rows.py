@@ -258,6 +258,13 @@ ROWS = (
         note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
         f"Ra of every surface; {_STANDING}",
     ),
+    _contact_ratio(
+        "life_factor",
+        "film factor a_ISO of the life",
+        value="result.rolling.life_factor",
+        note=f"life of both tracks with the oil film over that without, ISO 281 with κ = λ^1.3; nan without "
+        f"life.cleanliness or for κ below 0.1; {_STANDING}",
+    ),
     _per_contact(
         "central_film",
         "central thickness of the oil film beside the asperities",

@@ -143,7 +143,12 @@ class Window:
         if limit == REQUIRED_LIFE:
             assert self.required_life is not None
             whose = "the rating life" if where == "the drive" else f"the rating life of the {where}"
-            return f"{whose} falls below the required {format_quantity(self.required_life, 'h')}{without}"
+            thin = ", or an oil film is too thin for one" * (
+                self.reference.joint.rolling.cleanliness is not None
+            )
+            return (
+                f"{whose} falls below the required {format_quantity(self.required_life, 'h')}{thin}{without}"
+            )
         if limit == NOT_PRESSED:
             return "no preload is left: the drive is loose"
         if limit == NOT_COMPUTED:

@@ -89,6 +89,7 @@ def window_document(window: Window) -> Document:
         f"working_{unit}": window.axis.working,
         "input_speed_rad_per_s": window.loads[0].load.speed,
         "required_life_s": window.required_life,
+        "life_has_film_factor": window.reference.joint.rolling.cleanliness is not None,
         "has_tolerances": window.has_tolerances,
         "verdict": verdict(window),
         f"at_{unit}": window.at.tolist(),

@@ -93,6 +93,8 @@ class RollingConditions(Module):
     lubricant : Lubricant or None
         The oil in the contacts, by what it does; None where its viscosity alone is stated, or nothing. Friction is as
         stated without one, and with one whose fluid has no traction.
+    cleanliness : Real or None
+        Contamination factor e_C of the oil, by which lives have a factor for its film [-]; None for lives without one.
     """
 
     skew: tuple[Real, ...] | None
@@ -103,6 +105,7 @@ class RollingConditions(Module):
     duty: tuple[DutyPoint, ...]
     roughness: tuple[Real, ...] | None = None
     lubricant: Lubricant | None = None
+    cleanliness: Real | None = None
 
     def with_oil_at(self, temperature: Real) -> Self:
         """The same conditions with the oil at another temperature [K]; without a lubricant nothing changes."""

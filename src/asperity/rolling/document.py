@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from asperity.contact.life_factor import LEAST_FILM_RATIO, LEAST_VISCOSITY_RATIO
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.rolling.rolling import RollingResult
@@ -19,9 +20,10 @@ def losses(rolling: RollingResult) -> Document:
     return {**by_contact, "bearings": power.bearings, "total": power.loss}
 
 
-def rating_life_name(reliability: float) -> str:
-    """Name of the life that a share of the drives reaches [-]: L10 at 0.9, as in ISO 281."""
-    return f"Rating life L{100.0 * (1.0 - reliability):.6g}"
+def rating_life_name(reliability: float, *, with_film: bool = False) -> str:
+    """Name of the life that a share of the drives reaches [-]: L10 at 0.9, as in ISO 281, and L10m with a_ISO."""
+    modified = "m, with the film factor a_ISO" if with_film else ""
+    return f"Rating life L{100.0 * (1.0 - reliability):.6g}{modified}"
 
 
 def unknown_because(joint: Joint, result: JointResult) -> list[str]:
@@ -42,11 +44,29 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
         ]
     reasons = absent_in_rolling(joint, result)
     if joint.rolling.duty and np.isnan(np.asarray(rolling.duty_life_hours)):
-        reasons.append("no life under the duty: the joint does not roll under one of its loads")
+        because = no_duty_factor_because(joint, rolling) or "the joint does not roll under one of its loads"
+        reasons.append(f"no life under the duty: {because}")
     return reasons
 
 
-def no_life_because(result: JointResult) -> str | None:
+def no_duty_factor_because(joint: Joint, rolling: RollingResult) -> str | None:
+    """Why the life under a duty has no factor for its oil films; None where it has it, or needs none."""
+    if joint.rolling.cleanliness is None:
+        return None
+    thin = [str(k) for k, ratio in enumerate(np.asarray(rolling.duty_film_ratios), 1) if _too_thin(ratio)]
+    return f"under load{'' if len(thin) == 1 else 's'} {', '.join(thin)} {_THIN}" if thin else None
+
+
+#: What a film is that has no factor of the life.
+_THIN = f"κ = λ^1.3 is below {LEAST_VISCOSITY_RATIO:g}; ISO 281 has no factor a_ISO for so thin an oil film"
+
+
+def _too_thin(film_ratio: float) -> bool:
+    """Whether a film is too thin for a factor of the life; not where it is not known."""
+    return bool(film_ratio < LEAST_FILM_RATIO)
+
+
+def no_life_because(joint: Joint, result: JointResult) -> str | None:
     """Why a joint that rolls has no rating life; None where it has one, or does not roll."""
     flowing = _named(result, result.rolling.shakedown_ratio)
     slipping = _named(result, result.rolling.slip_ratio)
@@ -54,11 +74,26 @@ def no_life_because(result: JointResult) -> str | None:
         verb = "slips" if len(slipping) == 1 else "slip"
         return f"no rating life: {', '.join(slipping)} {verb} as a whole; the fatigue law holds for rolling tracks only"
     if not flowing:
-        return None
+        because = no_factor_because(joint, result)
+        return None if because is None else f"no rating life: {because}"
     return (
         f"no rating life: at {', '.join(flowing)} the Hertz pressure exceeds the shakedown limit, and the surface "
         "flows at every passage; the fatigue law holds for elastic tracks only"
     )
+
+
+def no_factor_because(joint: Joint, result: JointResult) -> str | None:
+    """Why lives that are to have a factor for their oil film have none; None where they have it, or need none."""
+    if joint.rolling.cleanliness is None:
+        return None
+    if float(np.asarray(joint.input_speed)) == 0.0:
+        return (
+            f"the {joint.ends[0]} stands; without an oil film there is no factor a_ISO, which "
+            "life.cleanliness asks for"
+        )
+    ratios = zip(result.contact_names, np.asarray(result.rolling.film_ratio), strict=True)
+    thin = [name for name, ratio in ratios if _too_thin(ratio)]
+    return f"at {', '.join(thin)} {_THIN}" if thin else None
 
 
 def _named(result: JointResult, ratios: object) -> list[str]:
@@ -70,8 +105,9 @@ def _named(result: JointResult, ratios: object) -> list[str]:
 def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:
     """Why results of a joint are absent although it rolls steadily."""
     if float(np.asarray(joint.input_speed)) == 0.0:
+        slow = "drift and life are" if joint.rolling.cleanliness is None else "drift is"
         return [
-            f"the {joint.ends[0]} stands: drift and life are per turn, for slow rolling; nothing is given per time, "
+            f"the {joint.ends[0]} stands: {slow} per turn, for slow rolling; nothing is given per time, "
             "and there are no powers, efficiency, temperatures or oil film"
         ]
     if not bool(np.isfinite(np.asarray(result.rolling.power.efficiency))):

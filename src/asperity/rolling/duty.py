@@ -22,8 +22,8 @@ class DutyLife(Module):
 
     ``hours`` and ``turns`` of the output are nan where a contact slips or lifts off under one of the loads, infinite
     where nothing turns. Of each load: its share in the damage of the drive [-], which add up to 1; the life under it
-    alone [h]; and, for the worst contact, Hertz pressure over the shakedown limit, and traction over what friction and
-    skew leave [-], nan where it does not roll.
+    alone [h]; and, for the worst contact, Hertz pressure over the shakedown limit, traction over what friction and skew
+    leave, and oil film over roughness [-], nan where it does not roll.
     """
 
     hours: Array
@@ -32,6 +32,7 @@ class DutyLife(Module):
     load_hours: Array
     shakedown_ratios: Array
     slip_ratios: Array
+    film_ratios: Array
 
 
 def with_duty_life(
@@ -54,6 +55,7 @@ def with_duty_life(
         duty_load_hours=life.load_hours,
         duty_shakedown_ratios=life.shakedown_ratios,
         duty_slip_ratios=life.slip_ratios,
+        duty_film_ratios=life.film_ratios,
     )
 
 
@@ -100,7 +102,7 @@ def duty_life(
     rolling = vectorised(rolled)(points.output_torque, points.input_speed)
     turns_a_second = rolling.output_speed / (2.0 * xp.pi)
     spectrum = {
-        "lives": rolling.cycles,
+        "lives": _cycles(conditions, rolling),
         "cycle_rates": rolling.cycles_per_turn * turns_a_second[:, None, None],
         "time_shares": points.share[:, None, None],
     }
@@ -118,4 +120,15 @@ def duty_life(
         load_hours=rolling.life_hours.drive,
         shakedown_ratios=xp.max(rolling.shakedown_ratio, axis=1),
         slip_ratios=xp.max(rolling.slip_ratio, axis=1),
+        film_ratios=xp.min(rolling.film_ratio, axis=1),
     )
+
+
+def _cycles(conditions: RollingConditions, rolling: RollingResult) -> Array:
+    """Lives of the tracks under each load, in stress cycles; without a film, where nothing turns, no cycle counts."""
+    if conditions.cleanliness is None:
+        return rolling.cycles
+    stands = (
+        (rolling.output_speed == 0.0)[:, None] & (rolling.shakedown_ratio < 1.0) & (rolling.slip_ratio < 1.0)
+    )
+    return xp.where(stands[:, None], xp.inf, rolling.cycles)

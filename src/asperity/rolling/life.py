@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from asperity.contact.crowned_line import CrownedLine
+from asperity.contact.life_factor import fatigue_load_ratio, life_modification_factor, viscosity_ratio
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
 from asperity.drive.state.state import BodiesOfContacts, RollingSpeeds
@@ -57,6 +58,53 @@ def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure:
     shortest = xp.min(lives, axis=1)
     rate = xp.sum(lines.length_share * (lives / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
     return xp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
+
+
+def film_factors(
+    *,
+    pairs: RollerPairs,
+    lines: CrownedLine | None,
+    peak_pressure: Array,
+    film_ratio: Array,
+    cleanliness: Real,
+) -> Array:
+    r"""Lives of the tracks of each contact with its oil film over those without, shape (contacts, ...) [-].
+
+    .. math:: \Bigl(\sum_j s_j\,a_{ISO,j}^{-e}\Bigr)^{-1/e}, \qquad s_j = \frac{L_j^{-e}}{\sum_k L_k^{-e}}
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    lines : CrownedLine or None
+        Their slices j, each with its own factor; None where the load is even: that of the contact.
+    peak_pressure : Array
+        Of the slices, shape (slices, contacts, ...), or of the contacts [Pa].
+    film_ratio : Array
+        Smallest film of each contact over its roughness, shape (contacts, ...) [-].
+    cleanliness : Real
+        Contamination factor e_C of the oil [-].
+
+    Returns
+    -------
+    Array
+        Factors; nan where the film is not known, or too thin for a factor.
+
+    References
+    ----------
+    ISO/TS 16281:2008 takes a_ISO of each slice; equation (F6) of :doc:`/equations`.
+    """
+    factor = life_modification_factor(
+        viscosity_ratio=viscosity_ratio(film_ratio=film_ratio),
+        cleanliness=cleanliness,
+        fatigue_load_ratio=fatigue_load_ratio(peak_pressure=peak_pressure),
+    )
+    if lines is None:
+        return factor
+    lives = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)[0]
+    damage = lines.length_share * (lives / xp.min(lives, axis=0)) ** -WEIBULL_SLOPE
+    share = damage / xp.sum(damage, axis=0)
+    return xp.asarray(xp.sum(share * factor**-WEIBULL_SLOPE, axis=0) ** (-1.0 / WEIBULL_SLOPE))  # (F6)
 
 
 def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds) -> Array:

@@ -30,7 +30,7 @@ from asperity.joint.laws import creep_law
 from asperity.joint.machine import JointMachine
 from asperity.rolling.creep import ContactFriction, contact_friction, traction_limit
 from asperity.rolling.film import FilmState, film_state
-from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
+from asperity.rolling.life import DriveLives, cycle_rates, drive_lives, film_factors
 from asperity.rolling.power import RollingPower, rolling_power
 from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
 from asperity.types import Array, Real
@@ -91,6 +91,9 @@ class RollingResult(Module):
     film_thickness, film_ratio : Array
         Smallest thickness of the oil film, as if it carried the whole load [m], and its ratio to the roughness [-],
         shape (contacts, ...); nan where the input stands or the joint lacks a number for them.
+    life_factor : Array
+        Lives of the tracks with the oil film over those without, shape (contacts, ...) [-]; nan without a cleanliness
+        of the oil, and where the film is not known or too thin for a factor: there is no life then.
     shakedown_ratio : Array
         Peak pressure over the shakedown limit at the contact's traction coefficient, shape (contacts, ...) [-].
     output_speed : Array
@@ -105,9 +108,9 @@ class RollingResult(Module):
         Lives in hours of rolling at the joint's speed [h]; nan where the input stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
-    duty_damage_shares, duty_load_hours, duty_shakedown_ratios, duty_slip_ratios : Array
+    duty_damage_shares, duty_load_hours, duty_shakedown_ratios, duty_slip_ratios, duty_film_ratios : Array
         Share of each load of the duty in the damage [-], life under it alone [h], and Hertz pressure over shakedown
-        limit and slip ratio of the worst contact under it [-], loads first; empty without a duty.
+        limit, slip ratio and film ratio of the worst contact under it [-], loads first; empty without a duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.state.creep.ROLLING_TOLERANCE` at most [-].
     crown_creepage_factor : Array or None
@@ -142,6 +145,7 @@ class RollingResult(Module):
     flash_temperature: Array
     film_thickness: Array
     film_ratio: Array
+    life_factor: Array
     shakedown_ratio: Array
     output_speed: Array
     cycles: Array
@@ -154,6 +158,7 @@ class RollingResult(Module):
     duty_load_hours: Array
     duty_shakedown_ratios: Array
     duty_slip_ratios: Array
+    duty_film_ratios: Array
     residual: Array
     crown_creepage_factor: Array | None = None
     film: FilmState | None = None
@@ -179,7 +184,6 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
     oil: FilmState | None = None
     if creep.oiled is not None:
         oil = film_state(creep=creep.oiled, normal_force=normal, creepage=state.creepage, used=slip_ratio)
-    tracks, per_turn, lives = _lives(joint, strips, unit, slip_ratio)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * xp.pi)
     power = _power(joint, pairs, state, speeds, (friction.axial, creep.skew))
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
@@ -193,6 +197,8 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
     film, film_over_roughness = oil_film(
         conditions=joint.rolling, pairs=pairs, normal_force=strips.largest_load, rolling_speed=speeds.rolling
     )
+    life_factor = _life_factor(joint, pairs, strips, film_over_roughness)
+    tracks, per_turn, lives = _lives(joint, strips, unit, slip_ratio, life_factor)
     drift = drift_per_turn(state.speed_loss)
     result = RollingResult(
         normal=state.normal,
@@ -220,6 +226,7 @@ def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
         flash_temperature=flash_temperature,
         film_thickness=film,
         film_ratio=film_over_roughness,
+        life_factor=life_factor,
         shakedown_ratio=strips.shakedown_ratio,
         output_speed=speeds.output,
         cycles=tracks,
@@ -238,8 +245,8 @@ def _without_duty(like: Array) -> dict[str, Array]:
     """Results of a duty where none is stated."""
     unknown, no_loads = xp.full_like(like, xp.nan), xp.zeros((0, *like.shape))
     lives = dict.fromkeys(("duty_life_hours", "duty_life_turns"), unknown)
-    loads = ("duty_damage_shares", "duty_load_hours", "duty_shakedown_ratios", "duty_slip_ratios")
-    return lives | dict.fromkeys(loads, no_loads)
+    ratios = (f"duty_{name}_ratios" for name in ("shakedown", "slip", "film"))
+    return lives | dict.fromkeys(("duty_damage_shares", "duty_load_hours", *ratios), no_loads)
 
 
 def _power(
@@ -276,15 +283,30 @@ def _speeds_of_unit_input(joint: Joint, state: DriveState) -> RollingSpeeds:
     )
 
 
+def _life_factor(joint: Joint, pairs: RollerPairs, strips: RollingStrips, film_ratio: Array) -> Array:
+    """Factors of the lives for the oil films; nan without a cleanliness."""
+    cleanliness = joint.rolling.cleanliness
+    if cleanliness is None:
+        return xp.full_like(strips.largest_load, xp.nan)
+    return film_factors(
+        pairs=pairs,
+        lines=strips.lines,
+        peak_pressure=strips.peak_pressure,
+        film_ratio=film_ratio,
+        cleanliness=cleanliness,
+    )
+
+
 def _lives(
-    joint: Joint, strips: RollingStrips, unit: RollingSpeeds, slip_ratio: Array
+    joint: Joint, strips: RollingStrips, unit: RollingSpeeds, slip_ratio: Array, life_factor: Array
 ) -> tuple[Array, Array, DriveLives]:
     """Lives of the tracks in cycles, their cycles in one turn of the output, and lives in turns of the output."""
     bodies, branches = bodies_of_contacts(joint), xp.asarray(joint.drive.sectors)
     # above the shakedown limit the surface flows at every passage, and what slips as a whole wears: no law of elastic
     # fatigue holds
     rolls = (strips.shakedown_ratio < 1.0) & (slip_ratio < 1.0)
-    tracks = xp.where(rolls, strips.tracks, xp.nan)
+    lives = strips.tracks if joint.rolling.cleanliness is None else strips.tracks * life_factor
+    tracks = xp.where(rolls, lives, xp.nan)
     rates = cycle_rates(bodies=bodies, speeds=unit)
     per_turn = rates * (2.0 * xp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)

@@ -120,15 +120,17 @@ class RollingStrips(NamedTuple):
     """The strips of the contacts under their forces in rolling, shape (contacts, ...).
 
     In the middle of the line: half-width [m]; ``largest_load``, normal forces as if the line load there acted on the
-    whole line [N]; T/N [-]; friction power per length over the mean [-], None where the loads are even. ``tracks``:
-    lives at 90 % survival, shape (2, 5, ...) [stress cycles]. ``shakedown_ratio``: peak pressure over the shakedown
-    limit, the largest of the line [-]. ``lines``: loads along crowned contacts; None where they are even.
+    whole line [N]; T/N [-]; friction power per length over the mean [-], None where the loads are even.
+    ``peak_pressure``: of every slice where crowned, shape (slices, contacts, ...) [Pa]. ``tracks``: lives at 90 %
+    survival, shape (2, 5, ...) [stress cycles]. ``shakedown_ratio``: peak pressure over the shakedown limit, the
+    largest of the line [-]. ``lines``: loads along crowned contacts; None where they are even.
     """
 
     largest_half_width: Array
     largest_load: Array
     middle_traction: Array
     middle_power_ratio: Array | None
+    peak_pressure: Array
     tracks: Array
     shakedown_ratio: Array
     lines: CrownedLine | None
@@ -156,13 +158,16 @@ def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Ar
             largest_load=normal_force,
             middle_traction=traction,
             middle_power_ratio=None,
+            peak_pressure=xp.asarray(pressure),
             tracks=track_lives(pairs=pairs, half_width=width, peak_pressure=pressure),
             shakedown_ratio=_shakedown_ratio(pairs, pressure, traction),
             lines=None,
         )
     friction = pairs.friction_coefficient
     ratios = slice_slip_ratios(pairs=pairs, lines=lines, slip_ratio=traction / friction)
-    pressures = peak_pressure(normal_force=lines.line_load, contact_length=1.0, half_width=lines.half_width)
+    pressures = xp.asarray(
+        peak_pressure(normal_force=lines.line_load, contact_length=1.0, half_width=lines.half_width)
+    )
     loads = lines.line_load * pairs.contact_length
     slips = traction != 0.0
     share = ratios[0] * friction / xp.where(slips, traction, 1.0)
@@ -171,7 +176,8 @@ def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Ar
         largest_load=loads[0],
         middle_traction=friction * ratios[0],
         middle_power_ratio=xp.where(slips, share, 1.0) * loads[0] / normal_force,
-        tracks=sliced_track_lives(pairs=pairs, lines=lines, peak_pressure=xp.asarray(pressures)),
+        peak_pressure=pressures,
+        tracks=sliced_track_lives(pairs=pairs, lines=lines, peak_pressure=pressures),
         shakedown_ratio=xp.max(_shakedown_ratio(pairs, pressures, friction * ratios), axis=0),
         lines=lines,
     )

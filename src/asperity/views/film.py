@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from asperity.results.film_bands import BANDS
 from asperity.types import Document
 from asperity.views.blocks import Block, Paragraph, Table
 from asperity.views.numbers import number, number_in, percent, quantity, words
@@ -114,6 +115,7 @@ def _notes(document: Document) -> Iterator[str]:
         "share of the asperities is uncertain by a factor of 1.6 in both directions. The minimum film and its ratio λ "
         "are as if the film carried all."
     )
+    yield BANDS
     if not all(document["film"]["rolls"] and all(each["rolls"]) for each in document["over_speed"]):
         yield (
             f"'{_SLIPS}': under this torque the joint does not roll steadily at this speed, because a contact slips or "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from asperity.results.notes import surface_rows
+from asperity.results.film_bands import BANDS, surface_rows
 from asperity.rolling.document import rating_life_name
 from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Figure, Paragraph, Table
@@ -82,15 +82,26 @@ def _sliding(document: Document) -> Iterator[Paragraph]:
         )
 
 
-def films(document: Document) -> Iterator[Table]:
+def films(document: Document) -> Iterator[Block]:
     """Flash temperature and oil film, where the file has the numbers for one of them."""
+    contacts = document["rolling"]["contacts"]
+    factors = {name: contact["life_factor"] for name, contact in contacts.items()}
+    stated = "life" in document["input"]
     rows = [
-        (words(name), *(number(value) for value in numbers), band or "–")
-        for name, *numbers, band in surface_rows(document["rolling"]["contacts"])
+        (
+            words(name),
+            *(number(value) for value in numbers),
+            band or "–",
+            *([number(factors[name])] if stated else []),
+        )
+        for name, *numbers, band in surface_rows(contacts)
     ]
-    head = ("contact", "flash temperature\nK", "smallest oil film\nµm", "film ratio λ\n-", "lubrication")
+    head = ["contact", "flash temperature\nK", "smallest oil film\nµm", "film ratio λ\n-", "lubrication"]
     if rows:
-        yield Table("Surfaces in rolling", head, rows, words=(0, 4))
+        factor = ["film factor\nof the life"] if stated else []
+        yield Table("Surfaces in rolling", (*head, *factor), rows, words=(0, 4))
+    if any(band for *_, band in surface_rows(contacts)):
+        yield Paragraph(BANDS)
 
 
 def smallest_film(document: Document) -> list[Figure]:
@@ -134,9 +145,8 @@ def _life(view: SolvedView) -> Iterator[Block]:
     if loads:
         duty = number(turning["duty_life_hours"]), number(turning["duty_life_output_turns"])
         rows.append(("the drive under the duty", *duty))
-    yield Table(
-        rating_life_name(float(turning["reliability"])), ("life of", "life\nh", "life\noutput turns"), rows
-    )
+    title = rating_life_name(float(turning["reliability"]), with_film="life" in document["input"])
+    yield Table(title, ("life of", "life\nh", "life\noutput turns"), rows)
     required = [
         _required(entry) for entry in document["diagnostics"] if entry["name"].startswith("required_")
     ]

@@ -115,7 +115,12 @@ def _notes(document: Document) -> Iterator[str]:
             if len(document["loads"]) > 1
             else "that under a constant torque"
         )
-        yield f"The rating life is {under}; it has no factor for the oil film."
+        film = (
+            "it has the factor a_ISO for the oil film"
+            if document["life_has_film_factor"]
+            else "it has no factor for the oil film, and in boundary or mixed lubrication it may be too short"
+        )
+        yield f"The rating life is {under}; {film}."
     if document["has_tolerances"]:
         yield (
             "Least and greatest hold for parts whose preload, interference and radii all lie at the same end of their "

@@ -23,9 +23,14 @@ def rolling(file: Described) -> Iterator[str]:
         "rolling: steady; the asperities are compliant in both directions, by u_0 = N/K_n for e times the "
         f"pressure{in_rolling(file)}; churning of the oil is not included"
     )
+    factors = (
+        "without factors for film, cleanliness or traction"
+        if file.case.life is None
+        else "times a_ISO of ISO 281 for film and cleanliness, with κ = λ^1.3, without a factor for traction"
+    )
     yield (
-        "life: rolling-contact fatigue of through-hardened bearing steel, without factors for film, cleanliness or "
-        "traction; life and shakedown take the pressure of smooth bodies, which is higher than that of rough ones"
+        f"life: rolling-contact fatigue of through-hardened bearing steel, {factors}; life and shakedown take the "
+        "pressure of smooth bodies, which is higher than that of rough ones"
     )
     if stated is None or stated.skew is None:
         yield "no rolling.skew: the axes of the rollers are parallel, without axial forces"
@@ -59,6 +64,9 @@ def oil(file: Described) -> Iterator[str]:
                 "no lubrication.roughness: that of normally distributed heights, Rq = sqrt(pi/2) Ra = 1.2533 Ra of "
                 "both surfaces together"
             )
+    has_ratio = file.joint.rolling.roughness is not None and (stated.pressure_coefficient or stated.fluid)
+    if has_ratio and file.case.life is None:
+        yield "no life.cleanliness: lives have no factor a_ISO for the oil film"
 
 
 def _with_film(file: Described) -> bool:
