@@ -78,7 +78,7 @@ def test_every_drive_lives_its_factors_longer(zou_file, name):
 def test_skewed_rollers_have_the_factor_too(zou_file):
     """With an oil whose traction is known."""
     text = zou_file.with_name("oil.toml").read_text(encoding="utf-8").replace('"0.2 um"', '"0.3 um"')
-    found = rolled(text + SKEW + CLEAN).rolling
+    found = rolled(text + SKEW).rolling
     np.testing.assert_allclose(found.life_factor, by_hand(found), rtol=1e-9)
     assert np.all(np.asarray(found.capacity_loss) > 0.0)
 

@@ -5,7 +5,15 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.contact import carter, hertz_line, rolling_fatigue, rolling_in, shakedown, stress_peaks
+from asperity.contact import (
+    carter,
+    hertz_line,
+    life_factor,
+    rolling_fatigue,
+    rolling_in,
+    shakedown,
+    stress_peaks,
+)
 from asperity.validation import contact_checks
 
 
@@ -18,6 +26,7 @@ from asperity.validation import contact_checks
         (rolling_fatigue, "line_contact_life", contact_checks.fatigue),
         (rolling_fatigue, "spectrum_life", contact_checks.fatigue),
         (rolling_fatigue, "damage_shares", contact_checks.fatigue),
+        (life_factor, "life_modification_factor", contact_checks.fatigue),
         (shakedown, "shakedown_limit", contact_checks.stresses),
     ],
 )

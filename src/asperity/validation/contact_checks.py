@@ -13,6 +13,7 @@ from asperity.contact import (
     carter,
     fractal,
     hertz_line,
+    life_factor,
     population,
     rolling_fatigue,
     rolling_in,
@@ -310,4 +311,25 @@ def fatigue() -> Iterator[Check]:
         unit="-",
         expected=lost / lost.sum(),
         computed=damage,
+    )
+    yield from _films()
+
+
+def _films() -> Iterator[Check]:
+    """Factor of the life for films of four viscosity ratios, at two loads, by hand."""
+    films, loads = np.array([0.1, 0.4, 1.0, 4.0]), np.array([[0.2], [1.0]])
+
+    def factors(kappa: Array, load: Array) -> Array:
+        return life_factor.life_modification_factor(
+            viscosity_ratio=kappa, cleanliness=0.5, fatigue_load_ratio=2.0 * load
+        )
+
+    yield compared(
+        model="Factor a_ISO of the life for the oil film (ISO 281)",
+        reference="published form by hand: kappa 0.1, 0.4, 1 and 4, cleanliness times C_u/P 0.2 and 1",
+        quantity="life with the film over life without",
+        unit="-",
+        expected=[[0.099972, 0.177338, 0.650507, 1.33505], [0.0999462, 0.307475, 5.31064, 32.9195]],
+        computed=at_once(factors, films, loads),
+        tolerance=1e-5,
     )
