@@ -144,6 +144,24 @@ def test_a_life_that_the_force_alone_takes_closes_the_window(wheels):
 
 
 @pytest.mark.slow
+def test_a_film_too_thin_for_a_life_closes_the_window_where_one_is_required(wheels):
+    """Slow wheels in oil: without a factor their life is long, with one there is none."""
+    text = (EXAMPLES / "wheel_pair.toml").read_text() + '\n[rolling]\nrequired_life = "1 h"\n'
+    oil = 'viscosity = "30 mPa*s"\npressure_coefficient = "20 1/GPa"\nroughness = "2 um"'
+    text = text.replace('viscosity = "30 mPa*s"', oil)
+    slow, clean = (
+        wheels.edited(text + life).with_values({"load.sun_speed": "10 rpm"})
+        for life in ("", "\n[life]\ncleanliness = 0.5\n")
+    )
+    windows_of = [joint_window(each.case, start=800.0, stop=1200.0, points=2) for each in (slow, clean)]
+    open_, closed = (window.regions[0].capacity.torque for window in windows_of)
+    assert np.all(open_ > 0.0)
+    assert np.all(closed == 0.0)
+    said = windows_of[1].words(windows_of[1].regions[0].capacity, 0)
+    assert said.startswith("the rating life falls below the required 1 h, or an oil film is too thin for one")
+
+
+@pytest.mark.slow
 def test_what_a_loading_cam_adds_counts():
     """A cam presses more with the torque, so that something else than slip ends the capacity."""
     text = (EXAMPLES / "planetary.toml").read_text()

@@ -39,6 +39,7 @@ MAIN_RESULTS = (
     "drive_life",
     "duty_life",
     "film_ratio",
+    "life_factor",
     "pin_load",
     "speed_ratio",
     "envelope_diameter",

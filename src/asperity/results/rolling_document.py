@@ -41,12 +41,18 @@ def rolling_document(solved: SolvedJoint) -> Document:
         **in_order("life_hours life_output_turns body_life_hours body_life_output_turns"),
         **in_order("duty_life_hours duty_life_output_turns"),
         "duty": {
-            str(index): {"damage_share": share, "life_hours": hours, "shakedown_ratio": pressure}
-            for index, (share, hours, pressure) in enumerate(
+            str(index): {
+                "damage_share": share,
+                "life_hours": hours,
+                "shakedown_ratio": pressure,
+                "film_ratio": film,
+            }
+            for index, (share, hours, pressure, film) in enumerate(
                 zip(
                     np.asarray(rolling.duty_damage_shares),
                     np.asarray(rolling.duty_load_hours),
                     np.asarray(rolling.duty_shakedown_ratios),
+                    np.asarray(rolling.duty_film_ratios),
                     strict=True,
                 ),
                 start=1,
