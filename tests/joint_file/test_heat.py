@@ -100,11 +100,11 @@ def test_temperature_is_what_the_losses_make(solved):
     document = document_of(case_of(STILL), solved)
     heat, loss = document["heat"], document["losses_W"]["total"]
     assert heat["steady"]
-    assert heat["roller_temperature_C"] == pytest.approx(25.0 + 3.0 * loss, abs=1e-5)
+    assert heat["roller_temperature_degC"] == pytest.approx(25.0 + 3.0 * loss, abs=1e-5)
     assert heat["loss_W"] == pytest.approx(loss, rel=1e-6)
-    assert document["preload"]["at_assembly"]["working_temperature_degC"] == heat["housing_temperature_C"]
+    assert document["preload"]["at_assembly"]["working_temperature_degC"] == heat["housing_temperature_degC"]
     assert float(solved.joint.rolling.lubricant.temperature) - 273.15 == pytest.approx(
-        heat["roller_temperature_C"], abs=1e-9
+        heat["roller_temperature_degC"], abs=1e-9
     )
 
 
@@ -160,7 +160,7 @@ def test_runaway_is_an_answer_with_the_torque_that_settles():
     found = solved_case(case)
     document = document_of(case, found)
     assert not document["heat"]["steady"]
-    assert document["heat"]["roller_temperature_C"] is None
+    assert document["heat"]["roller_temperature_degC"] is None
     (crossed,) = (entry for entry in document["diagnostics"] if entry["name"] == "ambient_reserve")
     assert not crossed["ok"]
     assert "thermal runaway" in crossed["meaning"]

@@ -93,7 +93,7 @@ def test_the_form_of_another_drive_has_its_own_keys(zou_file):
     form = form_of(read_case(zou_file.with_name("planar.toml")))
     names = [group["name"] for group in form["groups"]]
     assert names == [
-        "drive", "branch", "load", "temperature", "surface", "materials", "roller", "contact", "compliance",
+        "drive", "branch", "load", "temperature", "heat", "surface", "materials", "roller", "contact", "compliance",
         "housing", "play", "bearings", "pin_bearing", "input_bearing", "output_bearing", "rolling",
         "lubrication", "fluids", "life", "duty", "dynamics",
     ]  # fmt: skip

@@ -7,24 +7,24 @@ import pytest
 from asperity.views.heat import at_temperature, heat, temperature_figure
 
 STEADY = {
-    "ambient_C": 25.0,
+    "ambient_degC": 25.0,
     "resistance_K_per_W": 3.0,
     "roller_resistance_K_per_W": 0.5,
-    "oil_limit_C": 120.0,
+    "oil_limit_degC": 120.0,
     "steady": True,
-    "roller_temperature_C": 42.5,
-    "housing_temperature_C": 40.0,
+    "roller_temperature_degC": 42.5,
+    "housing_temperature_degC": 40.0,
     "loss_W": 5.0,
     "gain": -0.5,
     "ambient_reserve_K": 20.0,
     "time_constant_s": 1200.0,
     "steady_torque_Nm": None,
-    "other_states": [{"roller_temperature_C": 88.0, "stable": False}],
+    "other_states": [{"roller_temperature_degC": 88.0, "stable": False}],
     "duty": {
-        "mean_C": 35.0,
-        "peak_C": None,
+        "mean_degC": 35.0,
+        "peak_degC": None,
         "peak_beyond_oil_limit": True,
-        "alone_C": {"1": None, "2": 33.0},
+        "alone_degC": {"1": None, "2": 33.0},
     },
     "cold_start": {
         "rolling_torque_capacity_Nm": 20.0,
@@ -39,7 +39,12 @@ STEADY = {
 def runaway():
     """A joint that has no steady temperature, without duty and cold start."""
     found = copy.deepcopy(STEADY)
-    found |= {"steady": False, "roller_temperature_C": None, "housing_temperature_C": None, "loss_W": None}
+    found |= {
+        "steady": False,
+        "roller_temperature_degC": None,
+        "housing_temperature_degC": None,
+        "loss_W": None,
+    }
     found |= {"gain": None, "ambient_reserve_K": -3.0, "time_constant_s": None, "steady_torque_Nm": 4.0}
     return found | {"other_states": [], "duty": None, "cold_start": {}}
 

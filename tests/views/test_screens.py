@@ -53,7 +53,7 @@ def test_unlike_branches_stand_before_the_warnings(view_of, planetary_view):
 def test_every_panel_of_the_page_has_blocks(planetary_view):
     panels = page_views(planetary_view)
     assert set(panels) == {
-        "headline", "cards", "levels", "budget", "numbers", "margins", "warnings", "contacts", "assumptions",
+        "headline", "cards", "levels", "budget", "numbers", "margins", "warnings", "contacts", "heat", "assumptions",
     }  # fmt: skip
     assert all(panels.values())
     assert [block["kind"] for block in panels["cards"]] == ["figures"]

@@ -64,4 +64,4 @@ def _heat(heat: HeatBalance | None) -> Document:
     """What the figures say of the temperature at which a joint settles."""
     if heat is None:
         return {}
-    return {"heat": {"steady": bool(heat.is_steady), "roller_temperature_C": heat.roller_temperature}}
+    return {"heat": {"steady": bool(heat.is_steady), "roller_temperature_degC": heat.roller_temperature}}

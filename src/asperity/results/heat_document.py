@@ -22,30 +22,30 @@ def heat_document(solved: SolvedJoint) -> Document:
     assert heat is not None
     flow, duty = heat.flow, duty_temperatures(solved.joint)
     return {
-        "ambient_C": flow.ambient,
+        "ambient_degC": flow.ambient,
         "resistance_K_per_W": flow.resistance,
         "roller_resistance_K_per_W": flow.roller_resistance,
-        "oil_limit_C": flow.oil_limit,
+        "oil_limit_degC": flow.oil_limit,
         "steady": bool(heat.is_steady),
-        **in_order("roller_temperature_C housing_temperature_C"),
+        **in_order("roller_temperature_degC housing_temperature_degC"),
         "loss_W": heat.loss,
         **in_order("gain ambient_reserve_K"),
         "time_constant_s": time_constant(solved.joint),
         "steady_torque_Nm": steady_torque_of(solved),
         "other_states": [
-            {"roller_temperature_C": at, "stable": stable} for at, stable in heat.other_states()
+            {"roller_temperature_degC": at, "stable": stable} for at, stable in heat.other_states()
         ],
         "over_temperature": {
-            "roller_temperature_C": list(np.asarray(heat.temperatures)),
+            "roller_temperature_degC": list(np.asarray(heat.temperatures)),
             "loss_W": list(np.asarray(heat.losses)),
         },
         "duty": None
         if duty is None
         else {
-            "mean_C": duty.mean,
-            "peak_C": duty.peak,
+            "mean_degC": duty.mean,
+            "peak_degC": duty.peak,
             "peak_beyond_oil_limit": math.isinf(duty.peak),
-            "alone_C": {str(number): at for number, at in enumerate(duty.alone, start=1)},
+            "alone_degC": {str(number): at for number, at in enumerate(duty.alone, start=1)},
         },
         **in_order("cold_start"),
     }

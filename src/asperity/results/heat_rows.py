@@ -76,7 +76,7 @@ ROWS = (
         *_TEMPERATURE,
         _steady("roller_temperature"),
         note="nan without a section [heat]; nan where no temperature up to heat.oil_limit is steady",
-        place="heat.roller_temperature_C",
+        place="heat.roller_temperature_degC",
     ),
     _heat(
         "housing_temperature",
@@ -84,7 +84,7 @@ ROWS = (
         *_TEMPERATURE,
         _steady("housing_temperature"),
         note="as that of the rollers, less their resistance to the housing times the losses",
-        place="heat.housing_temperature_C",
+        place="heat.housing_temperature_degC",
     ),
     _heat(
         "thermal_gain",

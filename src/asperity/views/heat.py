@@ -16,10 +16,14 @@ def temperature_figure(document: Document) -> list[Figure]:
         return []
     if not heat["steady"]:
         return [Figure("Temperature", "–", "", f"thermal runaway{_still_steady(heat)}", None)]
-    around = f"rollers and oil, steady; {quantity(heat['ambient_C'], 'degC')} around the housing"
+    around = f"rollers and oil, steady; {quantity(heat['ambient_degC'], 'degC')} around the housing"
     return [
         Figure(
-            "Temperature", number(heat["roller_temperature_C"]), "°C", around, heat["roller_temperature_C"]
+            "Temperature",
+            number(heat["roller_temperature_degC"]),
+            "°C",
+            around,
+            heat["roller_temperature_degC"],
         )
     ]
 
@@ -29,7 +33,7 @@ def at_temperature(document: Document) -> str:
     heat = document.get("heat")
     if heat is None:
         return ""
-    return f" at {number(heat['roller_temperature_C'])} °C" if heat["steady"] else ", thermal runaway"
+    return f" at {number(heat['roller_temperature_degC'])} °C" if heat["steady"] else ", thermal runaway"
 
 
 def _still_steady(heat: Document) -> str:
@@ -54,7 +58,7 @@ def heat(document: Document) -> Iterator[Block]:
     )
     others = [
         f"another {'stable' if state['stable'] else 'unstable'} steady temperature at "
-        f"{quantity(state['roller_temperature_C'], 'degC', 3)}"
+        f"{quantity(state['roller_temperature_degC'], 'degC', 3)}"
         + ("" if state["stable"] else ": a drive warmer than that runs away")
         for state in stated["other_states"]
     ]
@@ -64,7 +68,7 @@ def heat(document: Document) -> Iterator[Block]:
 
 def _steady(heat: Document) -> list[tuple[str, str, str]]:
     """What cools the drive, and its steady temperatures."""
-    around = quantity(heat["ambient_C"], "degC")
+    around = quantity(heat["ambient_degC"], "degC")
     outward = quantity(heat["resistance_K_per_W"], "K/W")
     if not heat["steady"]:
         return [
@@ -74,8 +78,8 @@ def _steady(heat: Document) -> list[tuple[str, str, str]]:
     inward = heat["roller_resistance_K_per_W"]
     of_rollers = f"{quantity(inward, 'K/W')} to the housing" if inward else "as warm as the housing"
     rows = [
-        ("rollers and oil", quantity(heat["roller_temperature_C"], "degC"), of_rollers),
-        ("housing and rings", quantity(heat["housing_temperature_C"], "degC"), f"{outward} to {around}"),
+        ("rollers and oil", quantity(heat["roller_temperature_degC"], "degC"), of_rollers),
+        ("housing and rings", quantity(heat["housing_temperature_degC"], "degC"), f"{outward} to {around}"),
         ("heat", quantity(heat["loss_W"], "W"), "all losses of the joint at these temperatures"),
         (
             "reserve of the ambient",
@@ -118,17 +122,21 @@ def _duty(heat: Document) -> list[tuple[str, str, str]]:
     duty = heat["duty"]
     if duty is None:
         return []
-    rows = [("duty, mean", quantity(duty["mean_C"], "degC"), "temperature of the rollers at the mean losses")]
+    rows = [
+        ("duty, mean", quantity(duty["mean_degC"], "degC"), "temperature of the rollers at the mean losses")
+    ]
     if duty["peak_beyond_oil_limit"]:
         rows.append(("duty, peak", "–", "beyond the limit of the oil"))
-    elif duty["peak_C"] is not None:
-        rows.append(("duty, peak", quantity(duty["peak_C"], "degC"), "the highest one as the duty repeats"))
+    elif duty["peak_degC"] is not None:
+        rows.append(
+            ("duty, peak", quantity(duty["peak_degC"], "degC"), "the highest one as the duty repeats")
+        )
     rows += [
         (
             f"duty, load {name} alone",
             quantity(at, "degC"),
             "if it lasted" if at is not None else "runs away if it lasts",
         )
-        for name, at in duty["alone_C"].items()
+        for name, at in duty["alone_degC"].items()
     ]
     return rows

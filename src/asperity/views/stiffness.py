@@ -152,7 +152,7 @@ def _interval(document: Document) -> Iterator[Block]:
         ],
     )
     drift = [interval["drift"][f"{end}_rad_per_output_turn"] for end in ends]
-    if None not in drift:
+    if drift != [None, None]:
         low, high = (quantity(angle, "arcmin") for angle in drift)
         yield Paragraph(f"Drift from {low} to {high} per output turn.")
     if rows := _interval_rows(interval):

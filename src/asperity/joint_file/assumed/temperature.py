@@ -53,7 +53,9 @@ def _cooling(case: Case, heat: HeatEntry) -> Iterator[str]:
     if heat.oil_limit is None:
         yield f"no heat.oil_limit: steady temperatures up to {OIL_LIMIT:g} degC count"
     if heat.heat_capacity is None:
-        yield "no heat.heat_capacity: no time constant" + ("" if case.duty is None else ", no peak of the duty")
+        yield "no heat.heat_capacity: no time constant" + (
+            "" if case.duty is None else ", no peak of the duty"
+        )
     elif case.duty is not None and heat.duty_time is None:
         yield "no heat.duty_time: no peak of the duty"
     if heat.cold_start is None:

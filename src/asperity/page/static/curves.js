@@ -199,9 +199,9 @@ function creepCurves(answer, why) {
 export function heatCurve(found, before) {
   const { heat } = found;
   if (!heat) return [];
-  const leaving = (at) => (at - heat.ambient_C) / (heat.resistance_K_per_W + heat.roller_resistance_K_per_W);
-  const { roller_temperature_C: x, loss_W: y } = heat.over_temperature;
-  const lost = (from) => ({ x: from.over_temperature.roller_temperature_C, y: from.over_temperature.loss_W });
+  const leaving = (at) => (at - heat.ambient_degC) / (heat.resistance_K_per_W + heat.roller_resistance_K_per_W);
+  const { roller_temperature_degC: x, loss_W: y } = heat.over_temperature;
+  const lost = (from) => ({ x: from.over_temperature.roller_temperature_degC, y: from.over_temperature.loss_W });
   const most = 1.15 * Math.max(...y.map((value) => value ?? 0));
   return [
     linePlot({
@@ -214,7 +214,7 @@ export function heatCurve(found, before) {
         { name: "losses of the joint", kind: "one", x, y },
         { name: "heat that leaves", kind: "two", x, y: x.map((at) => (leaving(at) <= most ? leaving(at) : null)) },
       ],
-      point: heat.steady ? { x: heat.roller_temperature_C, y: heat.loss_W, name: "settles here" } : undefined,
+      point: heat.steady ? { x: heat.roller_temperature_degC, y: heat.loss_W, name: "settles here" } : undefined,
       note: "Where the losses are known: the drive slips at temperatures at which they have no value.",
     }),
   ];
