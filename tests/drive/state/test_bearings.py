@@ -119,8 +119,10 @@ def test_friction_opposes_the_rotation_or_else_the_torque(drives, torque, rotati
     machine = machine_of(drive, laws, np.array([0.0, 1.0]))
     load = DriveLoad(torque, bearings=BEARINGS, rotation=rotation, standing_rotation=rotation)
     pin_force = np.array([-100.0])
-    moments = moments_of(machine, Task(kind, none, load, none, none), none, pin_force, none)
-    still = moments_of(machine, Task(kind, none, DriveLoad(torque), none, none), none, pin_force, none)
+    moments = moments_of(machine, Task(kind, none, load, none, none), (none, none), pin_force, none)
+    still = moments_of(
+        machine, Task(kind, none, DriveLoad(torque), none, none), (none, none), pin_force, none
+    )
     pin = 2.0 * 0.02 + 0.1 * 100.0 * 4e-3
     by_hand = sense * np.array([-0.02, pin, 0.0, -0.1 - 3.0 * pin])
     np.testing.assert_allclose(np.asarray(moments - still), by_hand, atol=1e-12)

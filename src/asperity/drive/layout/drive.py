@@ -354,11 +354,6 @@ def _incidence(drive: Drive) -> Incidence:
     tangents = xp.stack([-normals[:, 1], normals[:, 0]], axis=1)
     moves = _movable(drive)
     between = moves[sides.first] - (copies[..., None] * moves[sides.second][:, None]).sum(axis=2)
-    # speed of a member relative to the carrier
-    relative = sides.relative
-    turning = drive.first_radius[:, None] * relative[sides.first] + (
-        (sides.outward * drive.second_radius)[:, None] * relative[sides.second]
-    )
     pinned = np.array(drive.pinned, dtype=int)
     centres = drive.centres[pinned]
     radial = centres / _length(centres)[:, None]
@@ -368,9 +363,18 @@ def _incidence(drive: Drive) -> Incidence:
     return Incidence(
         approach=(normals[:, :, None] * between).sum(axis=1),
         sliding=(tangents[:, :, None] * between).sum(axis=1),
-        turning=turning,
+        turning=turning_levers(sides, drive.first_radius, drive.second_radius),
         pins=(push[:, :, None] * moves[pinned]).sum(axis=1),
         levers=centres[:, 0] * push[:, 1] - centres[:, 1] * push[:, 0],
+    )
+
+
+def turning_levers(layout: Layout, first_radius: Array, second_radius: Array) -> Array:
+    """W of :class:`Incidence`, of the radii of both tracks of each contact, shape (contacts,) [m]."""
+    # speed of a member relative to the carrier
+    relative = layout.relative
+    return first_radius[:, None] * relative[layout.first] + (
+        (layout.outward * second_radius)[:, None] * relative[layout.second]
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from asperity.drive.bearings import leading_sense
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
+from asperity.drive.layout.form import Hills
 from asperity.drive.state.bores import PressedBores
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import (
@@ -65,6 +66,7 @@ class Machine(NamedTuple):
     ``pattern``, its interference over that of the drive [-], ``added``, what it has besides [m], None for none, and the
     friction coefficient. ``length``, ``largest`` and ``lever`` are scales: approach [m], force [N] and lever [m].
     ``creep_of`` is the creep law of the contacts under their normal and tangential forces; None for that of the laws.
+    ``hills`` are the moments that form errors add; None of round tracks.
     """
 
     drive: Drive
@@ -78,6 +80,7 @@ class Machine(NamedTuple):
     lever: Array
     added: Array | None = None
     creep_of: CreepOf | None = None
+    hills: Hills | None = None
 
 
 class Task(NamedTuple):
@@ -87,6 +90,8 @@ class Task(NamedTuple):
     the drive [m]. Of the assembled drive: ``origin``, the displacements from which slip is counted, shape (2 floating,)
     [m]; ``pin_at_rest``, forces of its pins, shape (pins,) [N]; ``normal_at_rest``, shape (contacts,) [N]. ``by_laws``
     tells whether a rolling drive has the creep of the laws, although the machine knows that under the forces.
+    ``velocity`` is by how much the floating centres of a rolling drive move per angle of the input in its ideal sense,
+    shape (2 floating,) [m/rad]; None where they stay.
     """
 
     kind: Any
@@ -96,6 +101,7 @@ class Task(NamedTuple):
     pin_at_rest: Array
     normal_at_rest: Array | None = None
     by_laws: Any = False
+    velocity: Array | None = None
 
 
 def known_kind(task: Task) -> int | None:
@@ -284,6 +290,8 @@ def state_misfits(
         approach, slip = approach + widened, slip + slid - slid_at_rest
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     rolling = _backwards(task) * creep * _rolled(drive, speed) - product(matrices.turning, speed)
+    if task.velocity is not None:
+        rolling = rolling - product(matrices.sliding, task.velocity)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
     force = (
         product(matrices.approach.T, normal)
@@ -294,7 +302,7 @@ def state_misfits(
         force = force + product(matrices.sliding.T, drag_pairs(drive, resistance.drag))
     if task.load.support_stiffness is not None:
         force = force + xp.repeat(task.load.support_stiffness, 2) * moved
-    moments = moments_of(machine, task, tangential, pin, resistance)
+    moments = moments_of(machine, task, (normal, tangential), pin, resistance)
     out = drive.layout.output
     moments = moments - drive.layout.unit[out] * xp.sign(machine.ideal[out]) * task.load.output_torque
     moments = moments[turning_members(drive)] / (lever * largest)
@@ -379,14 +387,18 @@ def _of_pins(
 
 
 def moments_of(
-    machine: Machine, task: Task, tangential: Array, pin: Array, resistance: Resistance | None
+    machine: Machine, task: Task, forces: tuple[Array, Array], pin: Array, resistance: Resistance | None
 ) -> Array:
-    """Moments of contacts, pins and bearings on the members, counter-clockwise, shape (members,) [N·m]; (M1).
+    """Moments of contacts, pins and bearings on the members, counter-clockwise, shape (members,) [N·m]; (M1), (R3).
 
-    Of the tangential forces of the contacts, shape (contacts,), of what resists their rolling, None for nothing, and of
-    the forces of the pins, shape (pins,) [N].
+    Of the normal and tangential forces of the contacts, shape (contacts,), of what resists their rolling, None for
+    nothing, and of the forces of the pins, shape (pins,) [N].
     """
+    normal, tangential = forces
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
+    if machine.hills is not None:
+        moments = moments + product(machine.hills.normal, normal)
+        moments = moments + product(machine.hills.tangential, tangential)
     if task.load.resistance_of is not None and resistance is not None:
         moments = moments + resistance_moments(machine.drive, resistance)
     load, kind = task.load, xp.asarray(task.kind)

@@ -359,7 +359,8 @@ def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
         hysteresis_moment=responses.resistance.hysteresis_moment,
         skew_drag=responses.resistance.skew_drag,
         interference=contact_interference(machine, x),
-        input_torque=-drive.sense * moments_of(machine, task, tangential, pin, responses.resistance)[entry],
+        input_torque=-drive.sense
+        * moments_of(machine, task, (normal, tangential), pin, responses.resistance)[entry],
         speed_loss=1.0 - speed[out] / machine.ideal[out],
         worst=worst,
         slides=slides,

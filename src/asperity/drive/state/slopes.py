@@ -120,6 +120,10 @@ def state_slopes(
         for slopes in (responses.by_normal, responses.by_tangential)
     ]
     (forces, resisted), (forces_along, resisted_along) = resisting
+    if machine.hills is not None:
+        rows, loaded = turning_members(machine.drive), xp.where(assembled, 0.0, 1.0)
+        resisted = resisted + loaded * machine.hills.normal[rows]
+        resisted_along = resisted_along + loaded * machine.hills.tangential[rows]
     return Slopes(
         approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
@@ -254,9 +258,9 @@ def _of_structure(
     supports = xp.zeros((moved, moved))
     if load.support_stiffness is not None:
         supports = _diagonal(xp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
-    _, tangential = contact_forces(machine, x)
+    forces = contact_forces(machine, x)
     by_pins = jacobian(
-        lambda pin: moments_of(machine, task, tangential, pin, None)[members], x.pin * machine.largest
+        lambda pin: moments_of(machine, task, forces, pin, None)[members], x.pin * machine.largest
     )
     pin_rows, pin_slopes = _of_pins(machine, task, x, pressed)
     size = xp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)

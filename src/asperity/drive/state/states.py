@@ -24,6 +24,7 @@ from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
     STANDING,
+    Machine,
     Task,
     Unknowns,
     forces_on,
@@ -302,22 +303,18 @@ def _loaded(
     holds: Array | bool = False,
 ) -> list[DriveState]:
     """One state after the other, each from the one before it; those of one tuple by one program."""
-    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
-    size = without_slopes(xp.max(rest.interference))  # a scale, as those of machine_of
-    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports, creep_of=creep_of)
-    borne = dataclasses.replace(load, body_force=forces_on(drive, load))
-    loaded = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
+    machine, loaded, begin = under_load(drive, laws, rest, load, creep_of)
 
-    def step(before: _Start, kind: Array | int) -> tuple[_Start, DriveState]:
+    def step(before: Start, kind: Array | int) -> tuple[Start, DriveState]:
         first, known = (kind == state_kind for state_kind in (_FIRST_ROLLING, _KNOWN_STANDING))
         kind = xp.where(first, ROLLING, xp.where(known, STANDING, kind))
         task = loaded._replace(kind=kind, by_laws=first)
         unknowns, slides = before
-        begin = xp.where(kind == STANDING, slides, 0.0)
-        found = solved(machine, task, unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds)
+        holding = xp.where(kind == STANDING, slides, 0.0)
+        found = solved(machine, task, unknowns, slides=holding, pressed_sectors=0, known=known, holds=holds)
         return (found.unknowns, found.slides), state_of(machine, task, found)
 
-    last, solved_states = (started_from(machine, rest, size), rest.slides), []
+    last, solved_states = begin, []
     for alike in kinds:
         if len(alike) == 1:
             last, state = step(last, alike[0])
@@ -326,6 +323,18 @@ def _loaded(
         last, states = scan(step, last, xp.stack([xp.asarray(kind) for kind in alike]))
         solved_states += [trees.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
     return solved_states
+
+
+def under_load(
+    drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad, creep_of: CreepOf | None
+) -> tuple[Machine, Task, Start]:
+    """The equations of a loaded drive, of no kind of state yet, and where a search for its states starts."""
+    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
+    size = without_slopes(xp.max(rest.interference))  # a scale, as those of machine_of
+    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports, creep_of=creep_of)
+    borne = dataclasses.replace(load, body_force=forces_on(drive, load))
+    task = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
+    return machine, task, (started_from(machine, rest, size), rest.slides)
 
 
 def closed_around(
@@ -346,7 +355,7 @@ def closed_around(
 
 
 _Kinds = Sequence[tuple[Array | int, ...]]
-_Start = tuple[Unknowns, Array]  # and the signs of the contacts that slide
+Start = tuple[Unknowns, Array]  # and the signs of the contacts that slide
 
 
 def _rolling_kinds(creep_of: CreepOf | None) -> tuple[int, ...]:
