@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from asperity import errors
+    from asperity.api.accuracy import accuracy
     from asperity.api.calibration import calibrate
     from asperity.api.comparison import compare
     from asperity.api.design import design
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
 #: Where the functions for scripts are; the names stand here so that importing the package loads none of them.
 _OFFERED = {
+    "accuracy": "asperity.api.accuracy",
     "calibrate": "asperity.api.calibration",
     "compare": "asperity.api.comparison",
     "design": "asperity.api.design",
@@ -50,6 +52,7 @@ _OFFERED = {
 }
 
 __all__ = [
+    "accuracy",
     "calibrate",
     "compare",
     "design",

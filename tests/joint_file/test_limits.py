@@ -53,6 +53,7 @@ def test_the_law_is_verified_inside_what_is_accepted():
 
 #: Bounds that mean something: whole drives, angles of a turn, absolute zero, incompressible bodies.
 MEANT = {
+    "FORM_PHASE": (-360.0, 360.0),
     "LIMITING_TRACTION": (0.01, 0.2),  # oils have 0.03 to 0.1
     "MAXIMUM_TRACTION": (0.01, 0.2),
     "PLANETS": (2, 100),

@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 
 from asperity.drive.layout.form import lobes_of
+from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
-from asperity.rolling.accuracy import rolling_balance_of, whole_joint
+from asperity.rolling.accuracy import rolling_balance_of, under_interference
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ARCSECONDS = 648000.0 / np.pi
@@ -30,10 +31,14 @@ def check_joint():
 def balance_of(text, *, floating=(), backwards=False, torque=None):
     """A joint file with every sector by itself in steady rolling."""
     joint = joint_from_case(parse_case(text, source="joint"))
+    sectors = round(float(joint.drive.sectors))
     with np.errstate(all="ignore"):
-        rolling = rolling_balance_of(
-            whole_joint(joint, floating=floating), torque=torque, backwards=backwards
-        )
+        joint = under_interference(joint)
+        if sectors > 1:
+            nothing = np.zeros((sectors, len(joint.drive.contacts)))
+            settled = settled_sectors(sectors, floating, joint, SectorSizes(nothing, nothing, 0.0))
+            joint = unfolded_joint(joint, settled.sizes, sectors=sectors, floating=floating)
+        rolling = rolling_balance_of(joint, torque=torque, backwards=backwards)
     assert rolling.state.residual < 1e-10
     return rolling
 

@@ -67,7 +67,7 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
     if kind == "string_type":
         return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
     if kind == "tuple_type":
-        noun = "planet" if path == "branch" else "load"
+        noun = {"branch": "planet", "form": "part"}.get(path, "load")
         return f"{path}: expected sections [[{path}]], one for each {noun}, got {quoted(value)}"
     if kind == "too_short":
         return f"{path}: the section is empty"
@@ -83,7 +83,7 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
 def _wanted(parts: Parts, model: type[BaseModel]) -> str:
     """What a missing key has to be, with an example."""
     generic = ".".join(
-        "*" if i == 1 and parts[0] in ("materials", "fluids", "duty", "branch") else part
+        "*" if i == 1 and parts[0] in ("materials", "fluids", "duty", "form", "branch") else part
         for i, part in enumerate(parts)
     )
     key = keys_by_path(model).get(generic)

@@ -20,6 +20,7 @@ from asperity.joint_file.drive_sections import (
     PartSurfaces,
 )
 from asperity.joint_file.fluid_entries import FluidEntry, FluidName
+from asperity.joint_file.form_entries import FormEntry
 from asperity.joint_file.lubricant import refuse_oil
 from asperity.joint_file.material_entries import (
     ContactLawName,
@@ -197,6 +198,8 @@ class Case(WholeFile):
     """Oils by name, for lubrication.fluid."""
     life: LifeEntry | None = None
     """Cleanliness of the oil, for lives with a factor for the film; without one if the section is absent."""
+    form: Annotated[tuple[FormEntry, ...], Field(min_length=1)] | None = None
+    """Runout and roundness of parts, for `asperity accuracy`: a section [[form]] for each; perfect if absent."""
     duty: Duty | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     dynamics: DynamicsEntry | None = None

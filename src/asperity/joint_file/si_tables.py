@@ -67,7 +67,7 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     PARTNER_DEPTH: ("partner_roughness_average",),
     "partner_roughness_average": (PARTNER_DEPTH,),
 }
-_NAMED = ("materials", "fluids", "duty", "branch", "roller", "contact")
+_NAMED = ("materials", "fluids", "duty", "form", "branch", "roller", "contact")
 _STATED_PER_CONTACT = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
@@ -146,6 +146,8 @@ def key_at(path: str, kind: str | None = None) -> Key:
     one = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts))]
     if parts[0] == "branch" and len(parts) == 4:  # sector and roller of type planar
         one.append(f"branch.*.{parts[2]}.*")
+    if parts[0] == "form" and len(parts) == 4:  # number of waves
+        one.append(f"form.*.{parts[2]}.*")
     if parts[0] == "fluids" and len(parts) == 5:  # row of a table of traction
         one.append(f"fluids.*.{parts[2]}.*.{parts[4]}")
     for generic in (path, *one):
@@ -272,7 +274,7 @@ def contact_in(path: str) -> str | None:
 def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
     table = tables
     for step in steps[:-1]:
-        if steps[0] in ("duty", "branch", "roller", "contact") and step not in table:
+        if steps[0] in ("duty", "form", "branch", "roller", "contact") and step not in table:
             raise InputError(f"{'.'.join(steps)}: the file has no section {step} in [[{steps[0]}]]")
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")

@@ -29,13 +29,17 @@ _REMARK = re.compile(r"^\s*(#.*)?$")
 _Section = tuple[list[str], list[str]]
 
 
+#: The lists of a file that the page shows and changes; form errors stay as the file has them.
+_ON_THE_PAGE = ("branch", "duty")
+
+
 def lists_of(model: type[Case]) -> dict[str, str | None]:
-    """The lists of a joint file that it may leave out."""
+    """The lists of a joint file that it may leave out, and that the page changes."""
     sectors = model.drive_type.sectors
     return {
         name: f"drive.{sectors.key}" if name == "branch" and sectors is not None else None
         for name, field in model.model_fields.items()
-        if is_list(field.annotation) and not field.is_required()
+        if name in _ON_THE_PAGE and is_list(field.annotation) and not field.is_required()
     }
 
 

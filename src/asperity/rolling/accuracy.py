@@ -33,7 +33,6 @@ from asperity.joint.description import Joint
 from asperity.joint.laws import creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.machine import joint_machine
-from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.types import Real
 
 
@@ -129,24 +128,8 @@ class OverTurn(NamedTuple):
 _POINTS, _MOST_POINTS = 24, 20_000
 
 
-def whole_joint(joint: Joint, *, floating: tuple[str, ...] = (), support_stiffness: Real = 0.0) -> Joint:
-    """A joint of equal sectors with every sector by itself, under the interference that its preload makes; pure.
-
-    ``floating`` are the bodies on the axis whose centres can move, against the ``support_stiffness`` of their bearings
-    [N/m]. A joint whose sectors are apart already, or of one sector, stays as it is.
-    """
-    sectors = round(float(joint.drive.sectors))
-    if joint.unlike is not None or sectors == 1:
-        return joint
-    joint = _by_interference(joint)
-    nothing = xp.zeros((sectors, len(joint.drive.contacts)))
-    sizes = SectorSizes(nothing, nothing, support_stiffness)
-    settled = settled_sectors(sectors, floating, joint, sizes)
-    return unfolded_joint(joint, settled.sizes, sectors=sectors, floating=floating)
-
-
-def _by_interference(joint: Joint) -> Joint:
-    """A joint whose preload is a force with the interference that makes it: parts that turn change the force."""
+def under_interference(joint: Joint) -> Joint:
+    """A joint whose preload is a force with the interference that makes it: parts that turn change the force; pure."""
     if joint.interference is not None:
         return joint
     rest, pattern = assembled(joint_machine(joint)).rest, xp.asarray(joint.pattern)

@@ -1,0 +1,106 @@
+"""The accuracy of a joint file over a turn: which form errors it states, what is refused, both directions."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from asperity.drive.layout.drive import Drive
+from asperity.drive.state.rolling_balance import RollingBalance
+from asperity.engine.arrays import as_numbers
+from asperity.engine.control import at_once
+from asperity.errors import InputError
+from asperity.joint.description import Joint
+from asperity.joint.machine import joint_machine
+from asperity.joint.solve import refuse_impossible_joint
+from asperity.joint_file.build import deviations_of, joint_from_values
+from asperity.joint_file.form_parts import form_errors, form_parts
+from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.results.accuracy_document import AccuracyOfJoint
+from asperity.rolling.accuracy import (
+    FormError,
+    accuracy_of,
+    over_turn,
+    rolling_balance_at_once,
+    under_interference,
+)
+from asperity.units import format_quantity
+
+#: A wave is at least so many half-widths of the contact long: the contact then rolls as if the track were round.
+SHORTEST_WAVE = 20.0
+
+
+def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
+    """What the form errors of a joint file do over a turn of its output, in both directions with ``reverse``.
+
+    An ``InputError`` is raised if the file states no form errors, or such that no part can have, or if the bodies do
+    not fit; a ``NoSolutionError`` if the joint does not roll steadily.
+    """
+    if case.form is None:
+        raise InputError(
+            "the joint file states no form errors, so that its output turns evenly; give sections [[form]], such as "
+            'part = "ring" with runout = "6 um" and harmonics = { 2 = "2 um", 3 = "1 um" }'
+        )
+    joint, errors, sectors = _whole(case)
+    rolling = rolling_balance_at_once(joint)
+    refuse_form(joint, rolling, errors)
+    forward = accuracy_of(rolling, errors)
+    backward = accuracy_of(rolling_balance_at_once(joint, backwards=True), errors) if reverse else None
+    return AccuracyOfJoint(
+        output=str(joint.drive.output),
+        output_torque=float(joint.output_torque),
+        sectors=sectors,
+        forward=forward,
+        backward=backward,
+        over_turn=over_turn(forward),
+    )
+
+
+def _whole(case: AnyCase) -> tuple[Joint, list[FormError], int]:
+    """The joint with every sector by itself, its form errors, and the number of sectors."""
+    values = si_values(case)
+    joint: Joint = at_once(lambda: under_interference(joint_from_values(values)))
+    joint = refuse_impossible_joint(joint)
+    drive: Drive = as_numbers(joint.drive)
+    sectors = round(float(joint.drive.sectors))
+    errors = form_errors(case, form_parts(values, drive), drive, sectors)
+    return whole_joint(joint, values), errors, sectors
+
+
+def whole_joint(joint: Joint, values: dict[str, object]) -> Joint:
+    """A joint of equal sectors with every sector by itself, and with the sizes of its branches where they differ."""
+    if round(float(joint.drive.sectors)) == 1:
+        return joint
+    from asperity.branches.branches import assembled_branches
+
+    return assembled_branches(joint, deviations_of(values)).joint
+
+
+def refuse_form(joint: Joint, rolling: RollingBalance, errors: list[FormError]) -> None:
+    """Refuse waves that are short against their contacts, and parts whose waves take the whole interference."""
+    drive = rolling.machine.drive
+    with np.errstate(all="ignore"):
+        width = np.asarray(joint_machine(joint).contacts.pairs.half_width(rolling.state.normal))
+    names = [contact.name for contact in drive.contacts]
+    radii = {"first": np.asarray(drive.first_radius), "second": np.asarray(drive.second_radius)}
+    for error in errors:
+        part = error.part.replace("_", " ")
+        for name, side in error.sides:
+            contact = names.index(name)
+            wave, half = 2.0 * np.pi * radii[side][contact] / error.harmonic, float(width[contact])
+            if wave < SHORTEST_WAVE * half:
+                most = int(2.0 * np.pi * radii[side][contact] / (SHORTEST_WAVE * half))
+                raise InputError(
+                    f"harmonic {error.harmonic} of the {part}: its waves of {format_quantity(wave, 'mm', 3)} are "
+                    f"shorter than {SHORTEST_WAVE:g} half-widths of the contact {name}, "
+                    f"{format_quantity(half, 'um', 3)}, over which it rolls as on a round track; state harmonics up "
+                    f"to {most}: those above belong to the roughness"
+                )
+    interference = float(np.max(np.asarray(rolling.state.interference)))
+    for key in dict.fromkeys((error.part, error.sector) for error in errors):
+        total = sum(error.amplitude for error in errors if (error.part, error.sector) == key)
+        if total > interference:
+            raise InputError(
+                f"the amplitudes of the {key[0].replace('_', ' ')} add up to {format_quantity(total, 'um', 4)}, more "
+                f"than the interference of the drive, {format_quantity(interference, 'um', 4)}: its contacts part; "
+                "state smaller form errors, or a larger preload"
+            )

@@ -1,0 +1,49 @@
+"""The accuracy over a turn as it is shown: the largest orders first, sectors together, what may slip."""
+
+from pathlib import Path
+
+import pytest
+from form_errors import check_joint
+from shown_blocks import sentences, tables
+
+import asperity
+from asperity.joint_file.accuracy import joint_accuracy
+from asperity.joint_file.reader import parse_case
+from asperity.results.accuracy_document import accuracy_document
+from asperity.views.accuracy import accuracy
+
+FILE = Path(__file__).parents[2] / "examples" / "accuracy.toml"
+
+
+@pytest.fixture(scope="module")
+def document():
+    return accuracy_document(joint_accuracy(asperity.load(FILE).case, reverse=True))
+
+
+def test_parts_of_all_sectors_stand_in_one_row(document):
+    rows = tables(accuracy(document))["Form errors by order, amplitudes of each"].rows
+    assert "planet (each of 3)" in {row[0] for row in rows}
+    assert len([row for row in rows if row[0].startswith("planet")]) == 2
+    errors = [float(row[4]) * (3 if "each of 3" in row[0] else 1) for row in rows]
+    assert errors == sorted(errors, reverse=True)
+
+
+def test_what_symmetry_leaves_out_is_nought(document):
+    rows = tables(accuracy(document))["Form errors by order, amplitudes of each"].rows
+    (ring,) = [row for row in rows if row[:2] == ("ring", "2")]
+    assert ring[4] == "0"
+
+
+def test_both_directions(document):
+    found = tables(accuracy(document))
+    assert "Contacts over a turn in the other direction" in found
+    assert len(found["Transmission error in both directions"].rows) == 3
+    assert "lost motion" in " ".join(sentences(accuracy(document)))
+
+
+def test_contacts_that_may_slip():
+    text = check_joint() + '\n[[form]]\npart = "sun"\nrunout = "20 um"\n'
+    document = accuracy_document(joint_accuracy(parse_case(text, source="joint")))
+    shown = list(accuracy(document))
+    assert "may slip" in {row[-1] for row in tables(shown)["Contacts over a turn"].rows}
+    assert "not cut off" in " ".join(sentences(shown))
