@@ -140,6 +140,7 @@ FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing
 #: Sections whose headers are not their names.
 HEADERS = {
     "duty": "[[duty]]",
+    "form": "[[form]]",
     "branch": "[[branch]]",
     "materials": "[materials.NAME]",
     "fluids": "[fluids.NAME]",

@@ -51,3 +51,20 @@ def test_a_file_without_form_errors(call):
     told = call("accuracy", EXAMPLES / "planetary.toml")
     assert (told.code, told.out) == (2, "")
     assert "[[form]]" in told.err
+
+
+def test_runout_and_roundness_that_a_limit_allows(call):
+    told = call("tolerances", FILE, "--keep", "transmission_error<=20 arcsec")
+    assert told.code == 0, told.err
+    assert "Allowed form errors" in told.out
+    assert "No influence, by the symmetry of the drive: sun 1, ring 1, ring 2." in told.out
+    told = call("tolerances", FILE, "--keep", "transmission_error<=20 arcsec", "--sharing", "cost", "--json")
+    document = json.loads(told.out)
+    assert document["transmission_error"] == pytest.approx(20.0 / 3600.0 * 3.141592653589793 / 180.0)
+    assert all(form["reading"] == pytest.approx(2.0 * form["amplitude"]) for form in document["forms"])
+
+
+def test_proportions_of_the_file_are_for_form_errors(call):
+    told = call("tolerances", FILE, "--keep", "torque_capacity>=1 N*m", "--sharing", "stated")
+    assert (told.code, told.out) == (2, "")
+    assert "choose equal, grade or cost" in told.err

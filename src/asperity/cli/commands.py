@@ -22,7 +22,7 @@ COMMANDS: dict[str, str] = {
     "joint": "Verdict, stiffness, forces and warnings of a joint file.",
     "serve": "The joint as a page in the browser, with sliders and curves.",
     "roll": "Drift, losses, thrust and life of a joint that turns.",
-    "accuracy": "Transmission error, forces and input torque over a turn, from runout and roundness.",
+    "accuracy": "Transmission error and forces over a turn, from runout and roundness.",
     "film": "Oil in the contacts over speed: film, asperities and traction.",
     "window": "Torques that a joint may pass over temperature or preload, and what limits them.",
     "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",

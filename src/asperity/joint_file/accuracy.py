@@ -52,7 +52,16 @@ def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
         forward=forward,
         backward=backward,
         over_turn=over_turn(forward),
+        diameters=tuple(2.0 * _radius(rolling, error) for error in errors),
     )
+
+
+def _radius(rolling: RollingBalance, error: FormError) -> float:
+    """Radius of the track of a form error [m]."""
+    drive = rolling.machine.drive
+    name, side = error.sides[0]
+    contact = [contact.name for contact in drive.contacts].index(name)
+    return float((drive.first_radius if side == "first" else drive.second_radius)[contact])
 
 
 def _whole(case: AnyCase) -> tuple[Joint, list[FormError], int]:

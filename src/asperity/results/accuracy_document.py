@@ -18,7 +18,8 @@ class AccuracyOfJoint(NamedTuple):
     """A joint with form errors.
 
     Name of its ``output``, torque there [N·m], and number of sectors; ``forward`` in the direction of its file,
-    ``backward`` in the other one under the same torque, None where nobody asked; ``over_turn`` forward.
+    ``backward`` in the other one under the same torque, None where nobody asked; ``over_turn`` forward;
+    ``diameters`` of the tracks of the components [m].
     """
 
     output: str
@@ -27,6 +28,7 @@ class AccuracyOfJoint(NamedTuple):
     forward: Accuracy
     backward: Accuracy | None
     over_turn: OverTurn
+    diameters: tuple[float, ...]
 
 
 def accuracy_document(
