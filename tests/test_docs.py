@@ -40,6 +40,7 @@ FORMULA_MODULES = (
 )
 #: Equations of the paper, and our own: how many of each letter.
 OURS = {"A": 11, "B": 13, "D": 3, "E": 7, "F": 6, "L": 4, "M": 4}
+OURS = {"A": 11, "B": 13, "D": 3, "E": 7, "F": 5, "L": 4, "M": 4, "R": 4}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }
@@ -115,7 +116,7 @@ def _rows(page):
 
 def _numbers(cell):
     """Equation numbers in a cell; (1)–(5) is a range."""
-    found = set(re.findall(r"\(([ABDEFLM]?\d+)\)", cell))
+    found = set(re.findall(r"\(([ABDEFLMR]?\d+)\)", cell))
     for first, last in re.findall(r"\((\d+)\)–\((\d+)\)", cell):
         found |= {str(n) for n in range(int(first), int(last) + 1)}
     return found

@@ -12,6 +12,7 @@ SLOW = (
     "creep with oil",
     "heat",
     "unlike branches",
+    "form errors over a turn",
     "rings",
     "half-space",
     "partial slip",
@@ -52,6 +53,7 @@ CHECKS = {
     "kinematics": [(1, 1e-12), (1, 1e-12), (1, 1e-12), (1, 1e-12)],
     "drive": [(1, 0.0001), (5, 0.00079), (3, 0.0005), (1, 0.0001), (1, 0.005)],
     "unlike branches": [(4, 1e-06), (1, 1e-06), (1, 1e-06), (4, 1e-05), (2, 1e-10)],
+    "form errors over a turn": [(10, 0.01), (10, 0.01), (6, 0.01), (1, 0.005), (2, 0.003)],
     "rolling bearings": [(1, 0.001), (2, 1e-12), (2, 1e-12)],
     "wind-up and its models": [
         (2, 1e-09),

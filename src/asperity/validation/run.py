@@ -22,6 +22,7 @@ from asperity.validation import (
     paper_checks,
     roller_checks,
     standing_checks,
+    turn_checks,
 )
 from asperity.validation.check import Check, failed
 
@@ -50,6 +51,7 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "kinematics": drive_checks.ratios,
     "drive": drive_checks.states,
     "unlike branches": drive_checks.unlike,
+    "form errors over a turn": turn_checks.turns,
     "rolling bearings": roller_checks.bearings,
     "wind-up and its models": standing_checks.windup,
     "vibrations": standing_checks.vibrations,
