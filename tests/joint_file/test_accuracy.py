@@ -9,7 +9,9 @@ from form_errors import ARCSECONDS, EXAMPLES, check_joint
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.accuracy import joint_accuracy
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.solved_document import solved_case
 from asperity.results.accuracy_document import accuracy_document
+from asperity.results.all_limits import further_checks
 
 #: The set of form errors of the prototype [µm]: runout is twice the first amplitude.
 SET = """
@@ -174,3 +176,34 @@ def test_a_joint_that_slips():
     text = check_joint().replace('output_torque = "5 N*m"', 'output_torque = "50 N*m"')
     with pytest.raises(NoSolutionError, match="does not roll steadily"):
         accuracy(text + SET)
+
+
+def checks_of(text):
+    solved = solved_case(parse_case(text, source="joint"))
+    return {check.result.name: check for check in further_checks(solved)}
+
+
+def test_limits_of_a_joint_with_form_errors():
+    form = '\n[[form]]\npart = "ring"\nharmonics = { 3 = "1 um" }\n'
+    checks = checks_of(check_joint() + form)
+    assert set(checks) == {"turn_slip_ratio"}
+    assert checks["turn_slip_ratio"].ok
+    for allowed, kept in (("20 arcsec", False), ("25 arcsec", True)):
+        stated = f'\n[rolling]\nallowed_transmission_error = "{allowed}"\n'
+        check = checks_of(check_joint() + stated + form)["transmission_error"]
+        assert check.value * ARCSECONDS == pytest.approx(22.23, rel=0.01)
+        assert check.ok is kept
+
+
+def test_a_contact_that_may_slip_is_told():
+    check = checks_of(check_joint() + '\n[[form]]\npart = "sun"\nrunout = "20 um"\n')["turn_slip_ratio"]
+    assert not check.ok
+    assert check.value > 1.0
+    assert check.contact in {f"{name}_{k}" for name in ("sp", "pwr", "pwl", "wro", "wlo") for k in (1, 2, 3)}
+    assert "may slip within a turn" in check.meaning
+
+
+def test_without_form_errors_nothing_is_judged():
+    assert checks_of(check_joint()) == {}
+    with pytest.raises(InputError, match=r"allowed_transmission_error = '20 arcsec'.*\[\[form\]\]"):
+        parse_case(check_joint() + '\n[rolling]\nallowed_transmission_error = "20 arcsec"\n', source="joint")

@@ -17,6 +17,7 @@ from asperity.joint_file.form_parts import form_errors, form_parts
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results.accuracy_document import AccuracyOfJoint
 from asperity.rolling.accuracy import (
+    Accuracy,
     FormError,
     accuracy_of,
     over_turn,
@@ -54,6 +55,11 @@ def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
         over_turn=over_turn(forward),
         diameters=tuple(2.0 * _radius(rolling, error) for error in errors),
     )
+
+
+def accuracy_of_case(case: AnyCase) -> Accuracy:
+    """What the form errors of a joint file do in its own direction; raises as :func:`joint_accuracy`."""
+    return joint_accuracy(case).forward
 
 
 def _radius(rolling: RollingBalance, error: FormError) -> float:

@@ -41,6 +41,9 @@ PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
 INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="13 um")
 CAM_FORCE = Key(Dimension.FORCE_PER_TORQUE, 0.0, 1e9, "N/Nm", example="150 N/Nm")
 DEVIATION = key_of(sizes.DEVIATION)
+TRANSMISSION_ERROR = Key(
+    Dimension.ANGLE, 0.0, 1e6, "arcsec", open_lower=True, exact=True, example="20 arcsec"
+)
 RUNOUT = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="4 um")
 FORM_AMPLITUDE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="1 um")
 FORM_PHASE = Key(Dimension.ANGLE, -360.0, 360.0, "deg", example="40 deg")

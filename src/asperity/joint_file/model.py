@@ -122,7 +122,7 @@ class Compliance(Section):
     """Torsional stiffness of the shaft from the output; rigid if absent."""
     sun_support_stiffness: Annotated[Quantity, limits.SUPPORT] | None = None
     """Radial stiffness of the bearings of the sun together, or of the input, whatever its name, for branches of their
-    own sizes, [[branch]]; 0 for a floating one, rigid if absent."""
+    own sizes, [[branch]], and form errors, [[form]]; 0 for a floating one, rigid if absent."""
 
 
 class Rolling(Section):
@@ -139,6 +139,9 @@ class Rolling(Section):
     required_life: Annotated[Quantity, limits.REQUIRED_LIFE] | None = None
     """Hours of work that the drive and its rolling bearings have to reach, under the duty if there is one; a limit of
     the joint, which moves no result."""
+    allowed_transmission_error: Annotated[Quantity, limits.TRANSMISSION_ERROR] | None = None
+    """Largest deviation of the output from even rotation that the form errors of [[form]] may make, worst over all
+    phases; a limit of the joint, which moves no result."""
 
 
 class ModelChoice(Section):
@@ -340,6 +343,16 @@ class Case(WholeFile):
     @model_validator(mode="after")
     def _complete_duty(self) -> Self:
         refuse_part_of_a_duty(self.duty)
+        return self
+
+    @model_validator(mode="after")
+    def _form_that_errs(self) -> Self:
+        allowed = None if self.rolling is None else self.rolling.allowed_transmission_error
+        if allowed is not None and self.form is None:
+            raise InputError(
+                f"rolling.allowed_transmission_error = '{allowed.text}': the file states no form errors that make one; "
+                "give sections [[form]], or leave it out"
+            )
         return self
 
     @model_validator(mode="after")

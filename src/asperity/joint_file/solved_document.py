@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 from typing import NamedTuple
 
 from asperity.joint.pin_interval import clearance_interval
 from asperity.joint.solve import solve_joint
+from asperity.joint_file.accuracy import accuracy_of_case
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_of_file
@@ -53,6 +55,10 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     }
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value
+    if case.rolling is not None and case.rolling.allowed_transmission_error is not None:
+        solved.allowed_transmission_error = case.rolling.allowed_transmission_error.value
+    if case.form is not None:
+        solved.over_turn = functools.partial(accuracy_of_case, case)
     return solved
 
 

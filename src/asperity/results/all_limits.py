@@ -10,11 +10,13 @@ import numpy as np
 
 from asperity.contact.life_factor import LEAST_FILM_RATIO
 from asperity.engine.arrays import xp
+from asperity.errors import NoSolutionError
 from asperity.results import RESULTS, Limit, Result
 from asperity.results.film_bands import film_band
 from asperity.results.limit_check import LimitCheck, checked_limits
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.rolling.accuracy import Accuracy
 from asperity.rolling.conditions import DutyPoint
 from asperity.rolling.document import no_duty_factor_because, no_factor_because
 from asperity.types import Array
@@ -31,7 +33,7 @@ def all_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """The limits of one solved joint that are not those of a result."""
-    return _duty_checks(solved) + life_checks(solved)
+    return _duty_checks(solved) + life_checks(solved) + turn_checks(solved)
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
@@ -189,6 +191,76 @@ def _life_of_drive(solved: SolvedJoint) -> float:
     rolling = solved.result.rolling
     hours = rolling.duty_life_hours if solved.joint.rolling.duty else rolling.life_hours.drive
     return float(np.asarray(hours)) * _HOUR
+
+
+def turn_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
+    """What form errors do over a turn: the largest slip ratio, and the transmission error, if one is allowed.
+
+    Empty where nobody states form errors; nan where the joint does not roll.
+    """
+    if solved.over_turn is None:
+        return ()
+    accuracy = solved.once(_accuracy)
+    checks = []
+    allowed = solved.allowed_transmission_error
+    if allowed is not None:
+        error = math.nan if accuracy is None else float(accuracy.transmission_error.worst)
+        checks.append(LimitCheck(_transmission_error(allowed), None, error))
+    if accuracy is None:
+        return (*checks, LimitCheck(_TURN_SLIP, None, math.nan))
+    slip = accuracy.slip + accuracy.budget("slip").worst
+    worst = int(np.argmax(slip))
+    return (*checks, LimitCheck(_TURN_SLIP, accuracy.contact_names[worst], float(slip[worst])))
+
+
+def _accuracy(solved: SolvedJoint) -> Accuracy | None:
+    """What the form errors of a joint do over a turn; None where it does not roll."""
+    assert solved.over_turn is not None
+    try:
+        return solved.over_turn()
+    except NoSolutionError:
+        return None
+
+
+_NOT_TURNING = "no turn to judge: the joint does not roll steadily under its torque"
+_TURN_SLIP = Result(
+    "turn_slip_ratio",
+    "slip ratio over a turn, worst phases of the form errors",
+    Dimension.DIMENSIONLESS,
+    "1",
+    "turn_slip_ratio",
+    limit=Limit(
+        "accuracy",
+        "no contact slips within a turn, whatever the phases of the form errors",
+        "a contact may slip within a turn, where the form errors of the parts meet; the numbers of 'asperity accuracy' "
+        "are of first order and do not hold there",
+        "state smaller form errors, let the input float (compliance.sun_support_stiffness), lower the torque, or raise "
+        "the preload",
+        highest=1.0,
+        unknown=_NOT_TURNING,
+    ),
+)
+
+
+def _transmission_error(allowed: float) -> Result:
+    """Result with its limit for the transmission error that is allowed [rad]."""
+    return Result(
+        "transmission_error",
+        "transmission error, worst phases of the form errors",
+        Dimension.ANGLE,
+        "arcsec",
+        "transmission_error",
+        limit=Limit(
+            "function",
+            "the output deviates from even rotation by less than rolling.allowed_transmission_error",
+            "the output may deviate from even rotation by more than rolling.allowed_transmission_error",
+            "'asperity accuracy' says which parts make it; 'asperity tolerances --keep transmission_error' what the "
+            "drawing may allow",
+            highest=allowed,
+            inclusive=True,
+            unknown=_NOT_TURNING,
+        ),
+    )
 
 
 def required_life_row(name: str, seconds: float, remedy: str, unknown: str, missing: str = "") -> Result:

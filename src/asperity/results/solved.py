@@ -41,6 +41,7 @@ from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, t
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
+from asperity.rolling.accuracy import Accuracy
 from asperity.types import Array
 
 _Found = TypeVar("_Found")
@@ -115,6 +116,10 @@ class SolvedJoint:
     result: JointResult
     #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
     required_life: float | None = None
+    #: What its form errors do over a turn, where a file states them; raises NoSolutionError where it does not roll.
+    over_turn: Callable[[], Accuracy] | None = None
+    #: The largest transmission error that somebody allows [rad].
+    allowed_transmission_error: float | None = None
     #: Body → name of its material, where a file names them.
     material_names: Mapping[str, str] = MappingProxyType({})
     #: Of one joint that was solved on its own: what came out.
