@@ -74,3 +74,18 @@ def test_listed_drives_state_tolerances_at_their_contacts(planar_case):
     joint = joint_from_case(case)
     sun = next(n for n, body in enumerate(joint.drive.bodies) if body.name == "sun")
     assert stated_parts(case, joint).bodies[sun].tolerance(4e-3) == pytest.approx(2e-6)
+
+
+def test_the_drawing_has_the_largest_form_error_of_all_sectors(planar_case):
+    form = (
+        '[[form]]\npart = "planet_second"\nsector = 1\nrunout = "2 um"\n\n'
+        '[[form]]\npart = "planet_second"\nsector = 2\nrunout = "3 um"\n\n[surface]'
+    )
+    case = planar_case("stepped_planet", ("[surface]", form))
+    joint = joint_from_case(case)
+    found = {
+        body.name: part.form
+        for body, part in zip(joint.drive.bodies, stated_parts(case, joint).bodies, strict=True)
+    }
+    assert found["planet"] == ("runout 3 µm of track planet second (full readings)",)
+    assert found["sun"] == ()

@@ -36,6 +36,7 @@ def solved(pressures, *, slips=None, duty=DUTY, standing=(30.0, 3.0)):
         bent=(False, False),
         row_names=lambda axis: ("planet", "ring"),
         required_life=None,
+        over_turn=None,
         standing_capacity=forward,
         reverse_standing_capacity=back,
     )

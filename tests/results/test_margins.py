@@ -44,6 +44,7 @@ def found(monkeypatch):
     solved = SimpleNamespace(
         joint=STANDS,
         required_life=None,
+        over_turn=None,
         notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
@@ -89,6 +90,7 @@ def test_what_is_not_known_does_not_pass(monkeypatch, values, place, outcome):
         SimpleNamespace(
             joint=STANDS,
             required_life=None,
+            over_turn=None,
             notes=(),
             a=np.array(values),
             row_names=lambda axis: CONTACT_NAMES,
@@ -99,7 +101,9 @@ def test_what_is_not_known_does_not_pass(monkeypatch, values, place, outcome):
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=STANDS, required_life=None, notes=(), b=math.inf))
+    (found,) = margins(
+        SimpleNamespace(joint=STANDS, required_life=None, over_turn=None, notes=(), b=math.inf)
+    )
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
 
 
@@ -108,7 +112,7 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
 
     def worst(*notes):
         made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
-        (found,) = margins(SimpleNamespace(joint=STANDS, notes=made, required_life=None))
+        (found,) = margins(SimpleNamespace(joint=STANDS, notes=made, required_life=None, over_turn=None))
         return found.place, found.lowest, found.highest
 
     assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
@@ -127,7 +131,9 @@ def test_a_thicker_film_is_never_ranked_the_worse(monkeypatch):
         notes = tuple(contact_notes("sp", film_ratio=film, **given))
         (found,) = (
             each
-            for each in margins(SimpleNamespace(joint=STANDS, required_life=None, notes=notes))
+            for each in margins(
+                SimpleNamespace(joint=STANDS, required_life=None, over_turn=None, notes=notes)
+            )
             if each.result.name == "film_ratio"
         )
         ranks.append((SEVERITIES.index(found.severity), -found.utilisation))
@@ -148,7 +154,9 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
     ]
     found = {
         each.result.name: each
-        for each in margins(SimpleNamespace(joint=STANDS, required_life=None, notes=tuple(notes)))
+        for each in margins(
+            SimpleNamespace(joint=STANDS, required_life=None, over_turn=None, notes=tuple(notes))
+        )
     }
     film = found["film_ratio"]
     assert (film.place, film.actual, film.lowest, film.passes) == ("sp", 0.5, 3.0, False)  # the thinner one

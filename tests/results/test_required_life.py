@@ -46,6 +46,7 @@ def solved(
         joint=joint,
         result=SimpleNamespace(rolling=rolling, contact_names=("sp", "pr", "wr")[: len(films)]),
         required_life=required,
+        over_turn=None,
         has_bearings=(False,) * 4,
         row_names=lambda axis: ("right", "left", "sun", "carrier"),
     )

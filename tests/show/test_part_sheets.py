@@ -75,3 +75,12 @@ def test_tracks_of_a_stepped_roller_are_dimensioned_and_their_distance_is_not_kn
     assert {"⌀40", "⌀36"} <= set(sheet.texts)
     assert [dimension.items[-1].text for dimension in sheet.dimensions].count("10") == 2
     assert "distance between the tracks along the axis: not" in sheet.texts
+
+
+def test_form_errors_are_full_readings(sheets):
+    form = '[[form]]\npart = "ring"\nrunout = "6 um"\nharmonics = { 3 = "0.5 um" }\n\n[surface]'
+    drawn = sheets("zou2025", {"[surface]": form})
+    ring = " ".join(" ".join(drawn["ring"].texts).split())
+    assert "runout 6 µm, roundness 1 µm in 3 waves (full readings)" in ring  # twice the amplitude
+    assert "edges: not stated" in ring
+    assert "roundness, runout, edges: not stated" in drawn["sun"].texts

@@ -18,11 +18,13 @@ from asperity.units import format_quantity
 class FormPart(NamedTuple):
     """A track of a drive of equal sectors.
 
-    ``name`` in documents; ``sides``, its contacts, (number, "first" or "second"); ``radius`` [m]; ``on_axis``, whether
-    all sectors share it; ``has_axis``, whether an axis of its own or another track tells where its centre is.
+    ``name`` in documents; ``body`` that it is on; ``sides``, its contacts, (number, "first" or "second"); ``radius``
+    [m]; ``on_axis``, whether all sectors share it; ``has_axis``, whether an axis of its own or another track tells
+    where its centre is.
     """
 
     name: str
+    body: str
     sides: tuple[tuple[int, str], ...]
     radius: float
     on_axis: bool
@@ -43,6 +45,7 @@ def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
             radius = drive.first_radius if side[1] == "first" else drive.second_radius
             part = FormPart(
                 name=body.name if alone else own,
+                body=body.name,
                 sides=sides,
                 radius=float(radius[side[0]]),
                 on_axis=body.on_axis,

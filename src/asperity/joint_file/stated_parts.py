@@ -7,12 +7,14 @@ import math
 from typing import Any, NamedTuple
 
 from asperity.drive.types import TYPES
+from asperity.engine.arrays import as_numbers
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_values, thermal_change_of
+from asperity.joint_file.form_parts import form_errors, form_parts
 from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
@@ -33,13 +35,17 @@ class StatedTrack(NamedTuple):
 
 
 class StatedPart(NamedTuple):
-    """What a file says of a body: name of its material, its tracks, and tolerances [m], 0 where it states none."""
+    """What a file says of a body: name of its material, its tracks, and tolerances [m], 0 where it states none.
+
+    ``form``: runout and roundness of its tracks as a drawing states them, full readings; none where it states none.
+    """
 
     material: str
     tracks: tuple[StatedTrack, ...]
     bore: float = 0.0
     wall: float = 0.0
     length: float = 0.0
+    form: tuple[str, ...] = ()
 
     def tolerance(self, radius: float) -> float:
         """Tolerance of the radius of a track [m]."""
@@ -70,8 +76,12 @@ def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
         [stated[name] if isinstance(stated, dict) else stated for name in joint.contact_names]
         for stated in per_contact
     )
+    form = _form_words(case, joint)
     return StatedParts(
-        tuple(_part(case, joint, number) for number in range(len(joint.drive.bodies))),
+        tuple(
+            _part(case, joint, number, form.get(body.name, ()))
+            for number, body in enumerate(joint.drive.bodies)
+        ),
         tuple(length.tolerance for length in lengths),
         tuple(surface_words(surface) for surface in surfaces),
         tuple(surface_symbol(surface) for surface in surfaces),
@@ -79,7 +89,33 @@ def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
     )
 
 
-def _part(case: Any, joint: Joint, number: int) -> StatedPart:
+def _form_words(case: AnyCase, joint: Joint) -> dict[str, tuple[str, ...]]:
+    """Body → runout and roundness of its tracks, the largest of all sectors, as full readings."""
+    if case.form is None or joint.unlike is not None:
+        return {}
+    drive = as_numbers(joint.drive)
+    parts = form_parts(si_values(case), drive)
+    readings: dict[tuple[str, str], dict[int, float]] = {}
+    bodies = {part.name: part.body for each in parts.values() for part in each}
+    for error in form_errors(case, parts, drive, round(float(joint.drive.sectors))):
+        of_track = readings.setdefault((bodies[error.part], error.part), {})
+        of_track[error.harmonic] = max(2.0 * error.amplitude, of_track.get(error.harmonic, 0.0))
+    words: dict[str, tuple[str, ...]] = {}
+    for (body, part), of_track in readings.items():
+        said = [
+            f"runout {_length_of(size)}" if waves == 1 else f"roundness {_length_of(size)} in {waves} waves"
+            for waves, size in sorted(of_track.items())
+        ]
+        track = "" if part == body else f" of track {part.replace('_', ' ')}"
+        words[body] = (*words.get(body, ()), f"{', '.join(said)}{track} (full readings)")
+    return words
+
+
+def _length_of(size: float) -> str:
+    return format_quantity(size, "µm", 4)
+
+
+def _part(case: Any, joint: Joint, number: int, form: tuple[str, ...]) -> StatedPart:
     body = joint.drive.bodies[number].name
     kind = TYPES[case.type]
     key = kind.material_key(body)
@@ -100,6 +136,7 @@ def _part(case: Any, joint: Joint, number: int) -> StatedPart:
         tolerance("bore_diameter"),
         tolerance("wall_thickness"),
         tolerance("length"),
+        form,
     )
 
 

@@ -184,4 +184,11 @@ def _lines(joint: Joint, body: int, stated: StatedParts, interference: float | N
         lines.append("length: that of the contact line; no other is stated")
     if len(tracks_of(joint, body)) > 1:
         lines.append("distance between the tracks along the axis: not stated")
-    return [*lines, "roundness, runout, edges: not stated"]
+    return [*lines, *part.form, *_not_stated(part.form)]
+
+
+def _not_stated(form: tuple[str, ...]) -> list[str]:
+    """What of the form of a part the file does not state."""
+    said = " ".join(form)
+    missing = [word for word in ("roundness", "runout") if word not in said]
+    return [f"{', '.join([*missing, 'edges'])}: not stated"]
