@@ -139,3 +139,17 @@ def test_numbers_of_form_errors_have_paths():
     assert keys["form.1.harmonics.3"].value == pytest.approx(1e-6)
     changed = replace_values(si_values(case), {"form.1.harmonics.3": 2e-6, "form.1.runout": 1e-6})
     assert changed["form"]["1"] == {"part": "ring", "runout": 1e-6, "harmonics": {"3": 2e-6}}
+
+
+def test_a_floating_sun_has_no_axis():
+    text = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
+    text += '\n[[form]]\npart = "sun"\nrunout = "4 um"\n'
+    for stiffness, refused in (("0 N/mm", True), ("100 N/mm", False)):
+        stated = text.replace("[model]", f'[compliance]\nsun_support_stiffness = "{stiffness}"\n\n[model]', 1)
+        case = parse_case(stated, source="a")
+        drive = joint_from_case(case).drive
+        if refused:
+            with pytest.raises(InputError, match="the sun floats, no axis: leave it out"):
+                form_errors(case, form_parts(si_values(case), drive), drive, 3)
+        else:
+            assert len(form_errors(case, form_parts(si_values(case), drive), drive, 3)) == 1

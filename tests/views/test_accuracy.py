@@ -47,3 +47,14 @@ def test_contacts_that_may_slip():
     shown = list(accuracy(document))
     assert "may slip" in {row[-1] for row in tables(shown)["Contacts over a turn"].rows}
     assert "not cut off" in " ".join(sentences(shown))
+
+
+def test_without_torque_there_is_no_drift_but_torque_swings():
+    text = FILE.read_text(encoding="utf-8").replace('output_torque = "5 N*m"', 'output_torque = "0 N*m"')
+    found = joint_accuracy(parse_case(text, source="joint"))
+    document = accuracy_document(found, allowed=1e-3)
+    figures = {figure.name: figure for figure in next(iter(accuracy(document))).items}
+    assert figures["drift"].shown == "0"
+    assert figures["turns without a reference"].shown == "infinite"
+    assert "swings about 0 N·m" in figures["input torque"].detail
+    assert 1.0 < float(figures["input torque"].shown) < 100.0  # mN·m

@@ -34,7 +34,9 @@ class FormPart(NamedTuple):
 def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
     """Names that sections [[form]] may use → the tracks that they mean; of tables in SI units and their drive."""
     named: dict[str, list[FormPart]] = defaultdict(list)
-    supported = "planet_support_stiffness" in values.get("compliance", {})
+    springs = values.get("compliance", {})
+    supported = "planet_support_stiffness" in springs
+    input_floats = springs.get("sun_support_stiffness") == 0.0
     kind = drive_type_of(values)
     for number, body in enumerate(drive.bodies):
         tracks = _tracks(drive, body.name)
@@ -49,7 +51,8 @@ def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
                 sides=sides,
                 radius=float(radius[side[0]]),
                 on_axis=body.on_axis,
-                has_axis=not alone or body.place != "free" or supported,
+                has_axis=not alone
+                or (supported if body.place == "free" else not (input_floats and body.name == drive.input)),
             )
             names = {part.name}
             if alone and not kind.is_listed:

@@ -13,6 +13,9 @@ from asperity.rolling.accuracy import Accuracy, Budget, OverTurn, bidirectional
 from asperity.types import Document
 from asperity.units import format_quantity
 
+#: Drift per turn of the output that is rounding of none [rad].
+_NO_DRIFT = 1e-12
+
 
 class AccuracyOfJoint(NamedTuple):
     """A joint with form errors.
@@ -74,6 +77,7 @@ def _homing(accuracy: Accuracy, allowed: float, uncertainty: float | None) -> Do
                 f"{format_quantity(value, unit)} is not allowed; it must be above 0", options=[option]
             )
     drift = abs(accuracy.drift_per_output_turn)
+    drift = drift if drift > _NO_DRIFT else 0.0
     turns = homing_turns(allowed=allowed, uncertainty=share * drift)
     return {
         "allowed_rad": allowed,

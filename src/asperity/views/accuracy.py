@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from asperity.types import Document
 from asperity.views.blocks import Block, Figure, Figures, Paragraph, Table
-from asperity.views.numbers import number, percent, quantity, words
+from asperity.views.numbers import number, quantity, unit_words, words
 
 _ARCSECONDS, _ARCMINUTES = 648000.0 / math.pi, 10800.0 / math.pi
 
@@ -28,17 +28,20 @@ def _headline(document: Document) -> Figures:
     """The numbers that are asked for first."""
     found = document["accuracy"]
     error, torque = found["transmission_error_rad"], found["input_torque_Nm"]
-    share = torque["worst"] / abs(torque["mean"]) if torque["mean"] else None
     items = [
         _figure("transmission error", error["worst"], "arcsec", "worst over all phases, to either side"),
         _figure("transmission error, rms", error["rms"], "arcsec", "root mean square over all phases"),
-        _figure("drift", found["drift_rad_per_output_turn"], "arcmin", "per turn of the output, by creep"),
-        Figure(
+        _figure(
+            "drift",
+            _rounded(found["drift_rad_per_output_turn"]),
+            "arcmin",
+            "per turn of the output, by creep",
+        ),
+        _figure(
             "input torque",
-            percent(share),
-            "",
-            f"by which {quantity(torque['mean'], 'N*m')} swings at worst",
-            share,
+            torque["worst"],
+            "mN*m",
+            f"by which it swings about {quantity(_rounded(torque['mean']), 'N*m')} at worst",
         ),
     ]
     homing = found.get("homing")
@@ -57,7 +60,7 @@ def _headline(document: Document) -> Figures:
 
 
 def _figure(name: str, value: float, unit: str, detail: str) -> Figure:
-    return Figure(name, quantity(value, unit).partition(" ")[0], unit, detail, value)
+    return Figure(name, quantity(value, unit).partition(" ")[0], unit_words(unit), detail, value)
 
 
 def _groups(components: list[Document]) -> list[list[Document]]:
