@@ -204,3 +204,12 @@ def test_temperatures_and_what_they_would_do_to_a_preload_by_force(planar_case):
     force = ('interference = "30 um"', 'preload = "1000 N"')
     told = "\n".join(assumptions(planar_case("planetary", ("[model]", section), ring, force)))
     assert "load.preload is a force: -16.5 µm of interference by temperature does not move it" in told
+
+
+def test_form_errors_are_of_first_order_and_have_phases_or_not(joint_text):
+    form = '\n[[form]]\npart = "ring"\nharmonics = { 3 = "1 um" }\n'
+    for stated, unknown in ((form, True), (form + 'phase = "40 deg"\n', False)):
+        case = parse_case(joint_text + stated, source="a")
+        told = " ".join(assumptions(case))
+        assert "form errors: to first order" in told
+        assert ("no form.phase" in told) is unknown

@@ -29,6 +29,7 @@ _PARTS: tuple[Callable[[Described], Iterator[str]], ...] = (
     drive.tolerances,
     drive.loading_cam,
     drive.own_branches,
+    drive.form_errors,
     temperature.temperature,
     bodies.crowns,
     rolling.rolling,

@@ -104,6 +104,18 @@ def loading_cam(file: Described) -> Iterator[str]:
         )
 
 
+def form_errors(file: Described) -> Iterator[str]:
+    """What is taken of the form errors that a file states."""
+    if file.case.form is None:
+        return
+    yield (
+        "form errors: to first order, quasi-static, and in the plane: no tilt and no axial runout; of the "
+        "drive's own parts alone"
+    )
+    if any(entry.phase is None for entry in file.case.form):
+        yield "no form.phase: the worst and the mean of all phases count"
+
+
 def own_branches(file: Described) -> Iterator[str]:
     """How branches of their own sizes share the load."""
     case, _ = file
