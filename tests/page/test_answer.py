@@ -313,3 +313,10 @@ def test_a_hollow_roller_has_its_bore_in_both_pictures(zou_file):
     planets = [each["radius_m"] for each in found["rollers"] if each["body"] == "planet"]
     for radii in (free["radii_m"], planets):
         assert sorted(set(radii)) == pytest.approx([bore, 20e-3])
+
+
+def test_form_errors_have_no_fields_and_their_limits_are_judged(joint_text):
+    text = joint_text + '\n[[form]]\npart = "ring"\nharmonics = { 3 = "1 um" }\n'
+    found = joint_answer(JointRequest("a.toml", text, {}))
+    assert not any(path.startswith("form.") for path in found["numbers"])
+    assert "slip ratio over a turn" in str(found)
