@@ -144,6 +144,8 @@ def _polar(axes: Any, accuracy: AccuracyOfJoint) -> None:
     axes.set_ylim(-3.0 * scale, 1.1 * scale)
     axes.set_yticks([0.0, scale])
     axes.set_yticklabels(["", ""])
-    axes.set_title(f"outer circle {most:.3g} arcsec", fontsize=_SMALL, color=MUTED, fontweight="normal", loc="center")
+    axes.set_title(
+        f"outer circle {most:.3g} arcsec", fontsize=_SMALL, color=MUTED, fontweight="normal", loc="center"
+    )
     axes.tick_params(axis="x", labelsize=_SMALL)
     axes.spines["polar"].set_visible(False)
