@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.description import (
+    ContactFit,
     bodies_of_contacts,
     body_masses,
     contact_values,
@@ -46,7 +47,7 @@ def test_interference_at_work_counts_sizes_and_temperature(planar_joint):
     """30 um at the ring; 2 um of sizes, and 0.1 um less and 0.2 um more for each of 30 K."""
     joint = dataclasses.replace(
         planar_joint("planetary"),
-        fit=SimpleNamespace(contact_change_per_kelvin=np.array([-1e-7, 2e-7]), temperature_rise=30.0),
+        fit=ContactFit(30e-6, 1e-7, 20.0, 50.0, np.array([-1e-7, 2e-7])),
     )
     np.testing.assert_allclose(joint.working_pattern, [-0.1, 1.2], rtol=1e-12)
     sized = dataclasses.replace(joint, unlike=SimpleNamespace(added=np.array([2e-6, 0.0])))
