@@ -137,7 +137,10 @@ def test_a_joint_that_stands_but_does_not_roll_is_told_how_far_it_rolls(torque, 
     joint = SimpleNamespace(output_torque=torque, interference=None, rolling=SimpleNamespace(skew=None))
     solution = SimpleNamespace(
         result=SimpleNamespace(
-            rolling=SimpleNamespace(residual=math.nan), contact_law_holds=True, contact_names=("sp", "pr")
+            rolling=SimpleNamespace(residual=math.nan),
+            contact_law_holds=True,
+            contact_names=("sp", "pr"),
+            inlet_heat_factor=None,
         ),
         rolling_capacity=capacity_of(4.0),
         reverse_rolling_capacity=capacity_of(3.0),

@@ -21,6 +21,8 @@ KEYS = {
     "traction_capacity",
     "traction_coefficient",
     "creepage",
+    "inlet_heat_factor",
+    "deborah_number",
 }
 
 

@@ -13,14 +13,20 @@ def joint(input_speed=100.0, duty=(), skew=None, cleanliness=None):
     return SimpleNamespace(input_speed=input_speed, rolling=rolling, ends=("first ring", "carrier"))
 
 
-def result(*, residual=1e-12, slip=(0.4,) * 5, holds=True, efficiency=0.98, duty_life_hours=np.nan):
+def result(
+    *, residual=1e-12, slip=(0.4,) * 5, holds=True, heat=None, efficiency=0.98, duty_life_hours=np.nan
+):
     rolling = SimpleNamespace(
         residual=residual, power=SimpleNamespace(efficiency=efficiency), duty_life_hours=duty_life_hours
     )
     diagnostics = SimpleNamespace(slip_ratio=np.array(slip))
     names = ("sp", "pwr", "pwl", "wro", "wlo")
     return SimpleNamespace(
-        rolling=rolling, diagnostics=diagnostics, contact_law_holds=holds, contact_names=names
+        rolling=rolling,
+        diagnostics=diagnostics,
+        contact_law_holds=holds,
+        contact_names=names,
+        inlet_heat_factor=heat,
     )
 
 
@@ -35,6 +41,7 @@ def test_nothing_is_missing_from_a_joint_that_turns():
         ({"slip": (0.4, 1.2, 0.4, np.nan, 0.4)}, "no steady rolling: pwr, wro slip or have lifted off"),
         ({"slip": (0.4, 1.02, 0.4, 0.4, 0.4)}, "no steady rolling: pwr slips or has lifted off"),
         ({"holds": False}, "no creep: every spot of a contact is plastic"),
+        ({"heat": np.array([0.9, -0.2, 0.8, 0.7, 0.6])}, "no oil film at pwr: heat at its inlet"),
         (
             {},
             "no steady rolling: a contact slips or lifts off once the creepages share the torque among the contacts",

@@ -95,7 +95,7 @@ def traction_capacity(
         """The traction at a creepage, its film as warm under any load."""
         creepage = xp.exp(logarithm)
         slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=warming)
-        factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
+        factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
         along, _ = slip_forces(contact, creepage, slides, factor)
         return Capacity(contact.total(along), creepage, creep_limit + nothing)
 
@@ -103,7 +103,7 @@ def traction_capacity(
         return at_warming(limit, at_limit.warming)
 
     def at_knee() -> Capacity:
-        factor = elastic_layers_factor(contact=plain, layer_factor=dry)
+        factor = at_limit.factor
         even, warming, before = at_limit.even, at_limit.warming, limit
         for _ in range(_TO_THE_KNEE):
             stick = stick_creepage(contact=plain, traction=2.0 * even, elastic_factor=factor)
@@ -122,12 +122,16 @@ def traction_capacity(
 
 
 class _Climb(NamedTuple):
-    """Traction, its slope over the logarithm of the creepage, that of rigid bodies [N], and the film's warming [K]."""
+    """Traction, its slope over the logarithm of the creepage, that of rigid bodies [N], and the film's warming [K].
+
+    ``factor``: of elastic layers, of slices where the contacts are sliced [-].
+    """
 
     traction: Array
     slope: Array
     even: Array
     warming: Array
+    factor: Array
 
 
 def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: Array | float) -> _Climb:
@@ -135,12 +139,13 @@ def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: 
     size = slip_size(contact, xp.exp(logarithm))
     slides = even_slip(contact=contact, creepage=size, guess=guess)
     warming = slides.heated
-    factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor)
+    factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
 
     def of_slices(x: CreepUnknowns) -> CreepUnknowns:
         creepage = xp.exp(x.logarithm)
         slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
-        along, _ = slip_forces(contact, creepage, slides, factor)
+        layers = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
+        along, _ = slip_forces(contact, creepage, slides, layers)
         return CreepUnknowns(along, x.warming - slides.heated)
 
     one = xp.ones_like(logarithm)
@@ -148,7 +153,7 @@ def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: 
     value, slopes = value_and_slopes(of_slices, (CreepUnknowns(logarithm, warming),), directions)
     (by_logarithm, warms_by_it), (by_warming, warms) = slopes
     slope = contact.total(by_logarithm - by_warming * warms_by_it / warms)
-    return _Climb(contact.total(value.logarithm), slope, contact.total(slides.force), warming)
+    return _Climb(contact.total(value.logarithm), slope, contact.total(slides.force), warming, factor)
 
 
 class _Top(NamedTuple):

@@ -82,7 +82,7 @@ def _of_slices(known: _Known, x: CreepUnknowns) -> CreepUnknowns:
     contact, creepage = known.contact, xp.exp(x.logarithm)
     slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
     used = xp.minimum(known.traction / contact.total(slides.force), NEAR_CAPACITY)
-    factor = elastic_layers_factor(contact=contact, layer_factor=known.layer(used))
+    factor = elastic_layers_factor(contact=contact, layer_factor=known.layer(used), slides=slides)
     along, _ = slip_forces(contact, creepage, slides, factor)
     return CreepUnknowns(along / known.traction, x.warming - slides.heated)
 

@@ -119,7 +119,7 @@ class EvenSlip(NamedTuple):
 
     ``stress``: at the places of half of the width, shape (places, contacts, ...), and ``mean`` [Pa]; ``force`` [N];
     ``exponent``, slope of its logarithm over that of the slip at one temperature [-]; ``heated``: warming of the film
-    by it [K].
+    by it [K]; ``creepage``, at which it slips [-].
     """
 
     stress: Array
@@ -127,6 +127,7 @@ class EvenSlip(NamedTuple):
     force: Array
     exponent: Array
     heated: Array
+    creepage: Array
 
 
 def even_slip(*, contact: MixedContact, creepage: Array, guess: Array | float = 0.0) -> EvenSlip:
@@ -201,7 +202,8 @@ def slip_at_warming(*, contact: MixedContact, creepage: Array, warming: Array) -
     )
     mean = width_mean(stress)
     force = 2.0 * contact.half_width * contact.contact_length * mean
-    return EvenSlip(stress, mean, force, width_mean(rise) / mean, _resistance_to_heat(contact) * slip * mean)
+    heated = _resistance_to_heat(contact) * slip * mean
+    return EvenSlip(stress, mean, force, width_mean(rise) / mean, heated, creepage)
 
 
 def local_stress(

@@ -14,11 +14,9 @@ from asperity.engine.module import Module
 from asperity.types import Array, Real
 
 if TYPE_CHECKING:
-    from asperity.contact.fluid import Film, FilmBody
+    from asperity.contact.fluid import Film
     from asperity.contact.viscosity import Viscosity
 
-#: Creepage that a film adds whose curve has its elastic yield in it: none that can be told from its slip.
-_NO_YIELD = 1e-12
 #: Rounds in which the exponents of a curve settle, and how far they still move then.
 _MOST_ROUNDS, _SETTLED = 400, 1e-10
 
@@ -121,7 +119,8 @@ def _column(numbers: tuple[Real, ...], of: Array) -> Array:
 class MeasuredTraction(Module):
     r"""Traction of a film by curves that were measured, :math:`\tau_f(x) = \mu(\xi; p_0, T, V)\,p(x)`.
 
-    What the film yields elastically is in the curves.
+    What the film yields elastically is in the curves: in steady rolling it grows with the traction as slow flow does,
+    and no curve tells one from the other.
 
     Parameters
     ----------
@@ -152,10 +151,6 @@ class MeasuredTraction(Module):
             coefficient, rise = coefficient + part, rise + part * slope
         stress = xp.asarray(coefficient * film.pressure)
         return stress, rise / coefficient + 0.0 * stress
-
-    def elastic_yield(self, body: FilmBody) -> Array:
-        r"""Creepage that the elastic film adds over that of the bodies [-]: none beside that in the curves."""
-        return xp.asarray(_NO_YIELD + 0.0 * body.peak_pressure)
 
 
 def traction_curve(*, creepage: np.ndarray, coefficient: np.ndarray) -> TractionCurve:

@@ -9,6 +9,7 @@ import numpy as np
 from asperity.contact.interface import Interface, RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
+from asperity.drive.state.creep import ROLLING_TOLERANCE
 from asperity.drive.state.state import (
     STATE_TOLERANCE,
     BodiesOfContacts,
@@ -28,11 +29,12 @@ from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bores import pin_loads
 from asperity.joint.description import Joint, bodies_of_contacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.joint.laws import creep_under, rolling_load
+from asperity.joint.laws import creep_under, oiled_surfaces, rolling_load
 from asperity.joint.loading_cam import CamOfJoint, mean_preload, pressed_at, turned_cam, with_its_cam
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
+from asperity.rolling.inlet_heat import joint_inlet_heat
 from asperity.rolling.rolling import RollingResult, turning
 from asperity.rolling.turning import rolling_at
 from asperity.types import Array, Real
@@ -94,6 +96,10 @@ class JointResult(Module):
         length that its slices need; whether the states are solved.
     cam : CamOfJoint or None, optional
         What the loading cam does under the torque; None without one.
+    inlet_heat_factor : Array or None, optional
+        Factor of heat at the inlets on the oil films, under the forces in rolling, or without these the larger ones
+        without torque and standing, shape (contacts,) [-]: not above 0 where no film is known, nan where nothing turns.
+        None without an oil whose traction is known.
     """
 
     speed_ratio: Array
@@ -118,6 +124,7 @@ class JointResult(Module):
     bodies: BodiesOfContacts = static()
     contact_names: tuple[str, ...] = static()
     cam: CamOfJoint | None = None
+    inlet_heat_factor: Array | None = None
 
     @property
     def pressed(self) -> DriveState:
@@ -233,4 +240,18 @@ def joint_result(machine: JointMachine, laws: ContactLaws, states: DriveStates) 
         bodies=bodies_of_contacts(joint),
         contact_names=joint.contact_names,
         cam=cam,
+        inlet_heat_factor=_inlet_heat(machine, states.rolling, xp.fmax(rest.normal, standing.normal)),
+    )
+
+
+def _inlet_heat(machine: JointMachine, rolling: DriveState, otherwise: Array) -> Array | None:
+    """Factor of heat at the inlets on the films of the contacts that roll, or under other forces [N] if none do."""
+    surfaces = oiled_surfaces(machine)
+    if surfaces is None:
+        return None
+    return joint_inlet_heat(
+        lubricant=surfaces.lubricant,
+        contacts=machine.contacts,
+        rolling_speed=surfaces.rolling_speed,
+        normal_force=xp.where(rolling.residual < ROLLING_TOLERANCE, rolling.normal, otherwise),
     )

@@ -27,6 +27,7 @@ from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
+from asperity.rolling.inlet_heat import FILM_REMEDY, film_unknown_because
 from asperity.types import Array, Document
 from asperity.units import format_apart, format_quantity
 
@@ -367,6 +368,9 @@ def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
             "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness; raise "
             "fractal_dimension or hardness, or lower fractal_roughness"
         )
+    no_film = film_unknown_because(solution.result.contact_names, solution.result.inlet_heat_factor)
+    if no_film is not None:
+        raise NoSolutionError(f"no steady rolling: {no_film}; {FILM_REMEDY}")
     torque = float(joint.output_torque)
     capacity = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
     shown, most = format_apart(torque, math.copysign(float(capacity.output_torque), torque), "N*m")

@@ -35,15 +35,27 @@ STATUSES: dict[str, str] = {
     "pin_too_short": "a roller is longer than the free length of its pin",
     "housing_inside_ring": "the housing lies inside a ring that it holds",
     "thermal_runaway": "thermal runaway: no temperature of the drive up to the limit of its oil is steady",
+    "no_oil_film": "heat at the inlet of a contact is beyond the range in which its oil film is known",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT, INSIDE, RUNAWAY = range(
-    LOCKED + 1, LOCKED + 12
-)
+(
+    TOO_WIDE,
+    SLIPS,
+    UNBALANCED,
+    OUT_OF_RANGE,
+    ALL_PLASTIC,
+    LOOSE,
+    NO_ROOM,
+    IDLE,
+    SHORT,
+    INSIDE,
+    RUNAWAY,
+    NO_FILM,
+) = range(LOCKED + 1, LOCKED + 13)
 
 
 def has_value(status: ArrayLike, needs: Needs) -> Any:
@@ -51,10 +63,10 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
 
     ``needs`` is what a result needs to have one, :attr:`asperity.results.Result.needs`. Where every spot of a contact
     is plastic, forces, pressures and capacity have their values; the stiffness and what follows from it are nan by
-    themselves.
+    themselves. Where no oil film is known everything but what rolls has its value.
     """
     code = xp.asarray(status)
-    operates = (code == 0) | (code == ALL_PLASTIC)
+    operates = (code == 0) | (code == ALL_PLASTIC) | (code == NO_FILM)
     if needs == "geometry":
         return operates | ((code >= LOCKED) & (code < NO_ROOM)) | (code == SHORT) | (code == RUNAWAY)
     return operates | (code == SLIPS) if needs == "balance" else operates
@@ -92,6 +104,8 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         loose = left <= 0.0
     carried = xp.isfinite(residual) | ~xp.all(xp.isfinite(result.forces.normal))
     locked = xp.any(xp.concatenate(pin_room(joint)) >= 1.0)
+    heat = result.inlet_heat_factor
+    no_film = xp.asarray(False) if heat is None else xp.any(heat <= 0.0)
     code = xp.zeros((), dtype=xp.int8)
     for condition, value in (
         (~has_room(drive), NO_ROOM),
@@ -106,6 +120,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         (~(residual < STATE_TOLERANCE), UNBALANCED),
         (~result.contact_law_holds, ALL_PLASTIC),
         (xp.asarray(False) if joint.heat is None else ~joint.heat.is_steady, RUNAWAY),
+        (no_film, NO_FILM),
     ):
         code = xp.where((code == 0) & condition, xp.asarray(value, dtype=xp.int8), code)
     return code

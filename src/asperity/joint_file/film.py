@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from asperity.contact.fluid import RheologicalTraction
 from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
@@ -21,6 +22,7 @@ from asperity.joint_file.si_tables import AnyCase, key_at, si_values
 from asperity.results.film_document import FilmOverSpeed
 from asperity.rolling.conditions import ZERO_CELSIUS, Lubricant
 from asperity.rolling.film_curves import film_curves
+from asperity.rolling.inlet_heat import FILM_REMEDY, film_unknown_because
 from asperity.units import format_quantity
 
 #: Speeds unless others are asked for, and the most that are allowed; the most temperatures.
@@ -58,13 +60,18 @@ def joint_film(
     curves = film_curves(**given, input_speed=speeds, temperatures=asked, report=report)
     (here,) = film_curves(**given, input_speed=np.array([own]), temperatures=(float(lubricant.temperature),))
     if not here.rolls.any() and not any(each.rolls.any() for each in curves):
+        no_film = film_unknown_because(tuple(joint.contact_names), here.inlet_heat_factor[:, 0])
+        if no_film is not None and all(
+            np.any(each.inlet_heat_factor <= 0.0, axis=0).all() for each in curves
+        ):
+            raise NoSolutionError(f"no steady rolling at any of these speeds: {no_film}; {FILM_REMEDY}")
         torque = format_quantity(float(joint.output_torque), "N*m")
         raise NoSolutionError(
             f"no steady rolling under {torque} at any of these speeds: a contact slips or lifts off; lower the torque "
             "(load.output_torque), or raise the preload or the interference; 'asperity roll' says up to which torque "
             "the joint rolls"
         )
-    lowest = lubricant.lowest_temperature
+    lowest, traction = lubricant.lowest_temperature, lubricant.fluid.traction
     return FilmOverSpeed(
         contact_names=tuple(joint.contact_names),
         output_torque=float(joint.output_torque),
@@ -74,6 +81,7 @@ def joint_film(
         else float(joint.heat.housing_temperature) + ZERO_CELSIUS,
         here=here,
         curves=tuple(curves),
+        shear_law=traction.shear_law if isinstance(traction, RheologicalTraction) else None,
     )
 
 

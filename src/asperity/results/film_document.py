@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from asperity.contact.fluid import ShearLaw
 from asperity.results.film_bands import film_band
 from asperity.rolling.conditions import ZERO_CELSIUS
 from asperity.rolling.film_curves import FilmCurves
@@ -22,6 +23,8 @@ _CONTACT = {
     "traction_capacity": "traction_capacity",
     "traction_coefficient": "traction_coefficient",
     "creepage": "creepage",
+    "deborah_number": "deborah_number",
+    "inlet_heat_factor": "inlet_heat_factor",
 }
 _JOINT = {"drift_rad_per_output_turn": "drift_per_output_turn", "efficiency": "efficiency"}
 
@@ -30,7 +33,8 @@ class FilmOverSpeed(NamedTuple):
     """The oil in the contacts of a joint over speed, under one torque at the output [N·m].
 
     ``here``: at the speed of its file and its temperature, one point; ``curves``: one for each temperature.
-    ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K].
+    ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K]; ``shear_law`` of
+    the film, None where a data sheet or a curve states its traction.
     """
 
     contact_names: tuple[str, ...]
@@ -39,6 +43,7 @@ class FilmOverSpeed(NamedTuple):
     housing_temperature: float
     here: FilmCurves
     curves: tuple[FilmCurves, ...]
+    shear_law: ShearLaw | None
 
 
 def film_document(film: FilmOverSpeed) -> Document:
@@ -51,6 +56,7 @@ def film_document(film: FilmOverSpeed) -> Document:
         "lowest_temperature_C": None
         if film.lowest_temperature is None
         else _celsius(film.lowest_temperature),
+        "shear_law": film.shear_law,
         "input_speed_rad_per_s": float(here.input_speed[0]),
         "output_torque_Nm": film.output_torque,
         "film": {

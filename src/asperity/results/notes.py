@@ -14,6 +14,7 @@ from asperity.joint.diagnostics import Diagnostics
 from asperity.joint.evaluation import JointResult
 from asperity.results.film_bands import BAND_WORDS, FULL_FILM, film_band, life_with_film
 from asperity.rolling.document import losses
+from asperity.rolling.inlet_heat import FILM_REMEDY
 from asperity.rolling.rolling import RollingResult
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
@@ -274,16 +275,23 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
     return tuple(notes)
 
 
-def rolling_notes(joint: Joint, capacity: float) -> tuple[Note, ...]:
+def rolling_notes(joint: Joint, capacity: float, no_film: str | None = None) -> tuple[Note, ...]:
     """Whether a joint whose input turns rolls under its torque, up to a capacity [N·m], which may be less than at rest.
 
-    Nothing without a torque.
+    Nothing without a torque. ``no_film``: why no oil film of it can be computed, None where it can.
     """
     torque = abs(float(joint.output_torque))
     if not (float(joint.input_speed) > 0.0 and torque > 0.0):
         return ()
     ratio = math.inf if capacity <= 0.0 else torque / capacity
     ok = ratio < 1.0
+    beyond = (
+        "the joint does not roll under its torque: a contact slips as a whole or lifts off, or the load is beyond "
+        "what is computed"
+    )
+    remedy = "lower the torque, or raise the preload or the friction coefficient"
+    if no_film is not None:
+        beyond, remedy = f"no steady rolling can be computed: {no_film}", FILM_REMEDY
     return (
         Note(
             "rolling_torque_ratio",
@@ -293,11 +301,8 @@ def rolling_notes(joint: Joint, capacity: float) -> tuple[Note, ...]:
             1.0,
             ok,
             "function",
-            "the joint rolls under its torque without gross slip"
-            if ok
-            else "the joint does not roll under its torque: a contact slips as a whole or lifts off, or the load is "
-            "beyond what is computed",
-            None if ok else "lower the torque, or raise the preload or the friction coefficient",
+            "the joint rolls under its torque without gross slip" if ok else beyond,
+            None if ok else remedy,
             used=("torque", "rolling capacity"),
         ),
     )

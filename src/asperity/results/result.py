@@ -40,7 +40,7 @@ class Limit:
     lowest: float = -math.inf
     highest: float = math.inf
     inclusive: bool = False
-    unknown: str = "no value: the contact slips, has lifted off or has plastic spots only"
+    unknown: str = "no value: the contact slips, has lifted off, has plastic spots only or no known oil film"
     state: str = ""
     missing: str = ""
     beyond: str = ""

@@ -28,6 +28,12 @@ def _crown_factor(solved: SolvedJoint) -> Any:
     return xp.full_like(rolling.normal, xp.nan) if factor is None else factor
 
 
+def _inlet_heat_factor(solved: SolvedJoint) -> Any:
+    """Factor of heat at the inlet on the films, nan for a joint without an oil whose traction is known."""
+    heat = solved.result.inlet_heat_factor
+    return xp.full_like(solved.result.rolling.normal, xp.nan) if heat is None else heat
+
+
 def _of_film(name: str) -> Callable[[SolvedJoint], Any]:
     """A number of the film in the contacts, nan for a joint without an oil whose traction is known."""
 
@@ -273,6 +279,14 @@ ROWS = (
         _of_film("central_film"),
         note=f"of the film that carries its share; {_NO_FILM}; {_STANDING}",
         column=Column("film", "central film"),
+    ),
+    _contact_ratio(
+        "inlet_heat_factor",
+        "factor of heat at the inlet on the oil film",
+        value=_inlet_heat_factor,
+        positive=False,
+        note=f"not above 0 beyond the range of its fit, where no film is known and nothing rolls; {_NO_FILM}; "
+        f"{_STANDING}",
     ),
     _contact_ratio(
         "asperity_share",

@@ -41,7 +41,9 @@ from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, t
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
+from asperity.results.oil_notes import oil_notes
 from asperity.rolling.accuracy import Accuracy
+from asperity.rolling.inlet_heat import film_unknown_because
 from asperity.types import Array
 
 _Found = TypeVar("_Found")
@@ -326,7 +328,12 @@ def solved_with_capacities(
     rolling = solution.reverse_rolling_capacity if backwards else solution.rolling_capacity
     notes = (
         *plausibility(joint, result),
-        *rolling_notes(joint, float(rolling.output_torque)),
+        *rolling_notes(
+            joint,
+            float(rolling.output_torque),
+            film_unknown_because(result.contact_names, result.inlet_heat_factor),
+        ),
+        *oil_notes(joint, result.rolling),
         *loss_notes(result.rolling, result.contact_names),
         *skew_notes(result.rolling, result.contact_names),
     )

@@ -7,6 +7,7 @@ import numpy as np
 from asperity.contact.life_factor import LEAST_FILM_RATIO, LEAST_VISCOSITY_RATIO
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.rolling.inlet_heat import film_unknown_because
 from asperity.rolling.rolling import RollingResult
 from asperity.types import Document
 
@@ -38,6 +39,9 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
             return [
                 "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
             ]
+        no_film = film_unknown_because(result.contact_names, result.inlet_heat_factor)
+        if no_film is not None:
+            return [no_film]
         return [
             "no steady rolling: a contact slips or lifts off once the creepages share the torque among the contacts"
             + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")

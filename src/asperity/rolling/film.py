@@ -9,7 +9,7 @@ from typing import NamedTuple
 from asperity.contact.creep_capacity import traction_capacity
 from asperity.contact.creep_inverse import creepage_at_traction
 from asperity.contact.creep_law import NEAR_CAPACITY, Capacity, LayerFactor, traction_at_creepage
-from asperity.contact.film_thickness import FilmInlet, central_film_by, inlet_heat_factor
+from asperity.contact.film_thickness import FilmInlet, central_film_by
 from asperity.contact.film_traction import BoundaryFriction, MixedContact
 from asperity.contact.fluid import RheologicalTraction
 from asperity.contact.hertz_line import peak_pressure
@@ -21,6 +21,7 @@ from asperity.engine.module import Module
 from asperity.joint.contacts import JointContacts, rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices
 from asperity.rolling.conditions import Lubricant
+from asperity.rolling.inlet_heat import inlet_heat
 from asperity.types import Array, Real
 
 #: Decay length of the asperities over the heights, where the contact law in use has none.
@@ -142,14 +143,11 @@ def oiled_contacts(
         effective_radius=pairs.effective_radius + like,
         contact_modulus=modulus,
     )
-    factor = lubricant.supply * inlet_heat_factor(
-        peak_pressure=pressure,
-        contact_modulus=modulus,
-        viscosity=inlet.viscosity,
-        viscosity_fall=oil.without_pressure.logarithmic_fall(temperature),
-        conductivity=lubricant.fluid.conductivity,
-        rolling_speed=speed,
+    heat = inlet_heat(
+        lubricant=lubricant, peak_pressure=pressure, contact_modulus=modulus, rolling_speed=speed
     )
+    # beyond the range of its fit the factor is not above 0, and there is no film to be computed
+    factor = lubricant.supply * xp.where(heat > 0.0, heat, xp.nan)
     sharing, rival = _shares(lubricant, inlet, strips, pressure, factor, heights)
     contact = MixedContact(
         fluid=lubricant.fluid,

@@ -10,7 +10,7 @@ import numpy as np
 
 from asperity.contact.creep_capacity import traction_capacity
 from asperity.contact.creep_law import elastic_layers_factor, traction_at_creepage
-from asperity.contact.film_traction import MixedContact
+from asperity.contact.film_traction import MixedContact, even_slip
 from asperity.contact.fluid import Fluid, LimitingTraction, RheologicalTraction
 from asperity.contact.viscosity import ExponentialViscosity, RationalPressureRise, Viscosity
 from asperity.engine import trees
@@ -82,7 +82,11 @@ def _of_load(oiled: OiledContact) -> tuple[Array, Array, Array]:
     contact, layer = oiled.contact, oiled.layer_factor
     tractions = traction_at_creepage(contact=contact, creepage=xp.asarray(CREEPAGES), layer_factor=layer)
     return (
-        elastic_layers_factor(contact=contact, layer_factor=layer),
+        elastic_layers_factor(
+            contact=contact,
+            layer_factor=layer,
+            slides=even_slip(contact=contact, creepage=xp.asarray(CREEPAGES)),
+        ),
         tractions.traction / LOAD,
         traction_capacity(contact=contact, layer_factor=layer).traction / LOAD,
     )

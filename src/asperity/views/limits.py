@@ -61,7 +61,7 @@ def _warned(entries: list[Document], contacts: int) -> Warned:
 def _values(entries: list[Document], contacts: int) -> str:
     """Values by contact, or one value where all contacts have the same."""
     values = [entry["shown"] for entry in entries]
-    if len(entries) == contacts and len(set(values)) == 1:
+    if entries[0]["contact"] and len(entries) == contacts and len(set(values)) == 1:
         return f"{values[0]} at every contact"
     return ", ".join(
         f"{value} at {words(e['contact'])}" if e["contact"] else value
