@@ -6,7 +6,16 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from traction_contacts import EFFUSIVITY, HALF_WIDTH, LENGTH, PEAK, dry_contact, oiled_contact
+from traction_contacts import (
+    EFFUSIVITY,
+    HALF_WIDTH,
+    LENGTH,
+    MODULUS,
+    PEAK,
+    RADIUS,
+    dry_contact,
+    oiled_contact,
+)
 
 from asperity.contact.creep_bounds import SHAPE, width_mean
 from asperity.contact.film_traction import (
@@ -122,3 +131,37 @@ def test_dry_contacts_bear_friction_alone():
     found = even_slip(contact=contact, creepage=np.array([1e-3]))
     assert found.stress[:, 0] == pytest.approx(0.1 * PEAK * SHAPE, rel=1e-14)
     assert found.exponent == 0.0
+
+
+@pytest.mark.parametrize("pressure", [0.4e9, 0.523e9, 0.7e9, 1.0e9, 1.5e9])
+def test_the_dip_of_a_traction_fluid(pressure):
+    """docs/theory/lubricated_contact.md: film and asperities together bear less than either, less so at more slip.
+
+    A film that has the whole pressure on its share of the area bears no less: its viscosity is convex in the pressure.
+    """
+    load = math.pi * pressure**2 * LENGTH * RADIUS / MODULUS
+    speed = np.geomspace(1e-3, 5.0, 40)
+    contact = oiled_contact("S50", 40.0, speed, 0.2e-6, load=load).contact
+    full = dataclasses.replace(contact, film_share=np.ones(40), asperity_share=np.zeros(40))
+    mixed = (contact.asperity_share > 0.1) & (contact.asperity_share < 0.9)
+    bottoms = []
+    for creepage in (0.02, 0.1, 0.5):
+        slip = np.full(40, creepage)
+        law = even_slip(contact=contact, creepage=slip).force / load
+        film = even_slip(contact=full, creepage=slip).force / load
+        squeezed = 0.12 * contact.asperity_share + contact.film_share * film
+        assert np.all(law[mixed] < squeezed[mixed] * 1.02)  # which is warmer
+        bottom = int(np.argmin(np.where(mixed, law, 1.0)))
+        assert law[bottom] < 0.95 * max(law[bottom:])
+        bottoms.append(law[bottom])
+    assert bottoms == sorted(bottoms)
+
+
+def test_mineral_oils_have_no_dip():
+    """Traction falls with the speed while asperities carry load, and heat lowers it afterwards."""
+    for oil in ("N100", "M100"):
+        for pressure in (0.7e9, 1.0e9, 1.5e9):
+            load = math.pi * pressure**2 * LENGTH * RADIUS / MODULUS
+            contact = oiled_contact(oil, 40.0, np.geomspace(1e-3, 5.0, 40), 0.2e-6, load=load).contact
+            law = even_slip(contact=contact, creepage=np.full(40, 0.02)).force / load
+            assert np.all(np.diff(law[contact.asperity_share > 0.05]) < 0.0), (oil, pressure)
