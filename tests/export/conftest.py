@@ -51,7 +51,14 @@ def made_content(paper_joint):
         stiffness = 1.0 / compliances(torque)[0]
         drift = DRIFT * (torque + 0.1 * torque * jnp.abs(torque))
         curves = BothSenses(
-            torque, 100.0 * stiffness, 10.0 * stiffness, stiffness, jnp.abs(torque) / 13.0, drift, 0.9 * drift
+            torque,
+            100.0 * stiffness,
+            10.0 * stiffness,
+            stiffness,
+            jnp.abs(torque) / 13.0,
+            drift,
+            0.9 * drift,
+            0.98 + 0.0 * torque,
         )
         parts = MovingParts(input=2e-6, output=0.05, loss_factor=0.02, coupled=True, friction=0.01)
         return ExportContent("made.toml", joint, "assembly", windup, curves, parts, ())

@@ -153,6 +153,8 @@ def test_texts_name_the_members_of_the_drive(content):
         pin_stiffness=5e7,
         pin=None,
         unlike=None,
+        input_speed=0.0,
+        friction_coefficients=(0.12,),
     )
     other = dataclasses.replace(content, joint=joint)
     assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
@@ -170,7 +172,9 @@ def test_files_say_whose_branches_they_hold(content, made_content):
         unlike=object(),
         play=content.joint.play,
         pin_stiffness=None,
-        drive=SimpleNamespace(input="sun", output="carrier", pinned=()),
+        drive=SimpleNamespace(input="sun", output="carrier", pinned=(), contacts=(object(),)),
+        input_speed=0.0,
+        friction_coefficients=(0.12,),
     )
     assert said(own) == [
         "Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."

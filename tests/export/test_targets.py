@@ -81,7 +81,9 @@ def test_columns_are_the_closed_forms(made_content, closed_form, skewness):
 
 def test_csv_has_units_in_its_head_and_reads_back(content, read_table):
     data = csv_file(content)
-    assert all(name.rsplit("_", 1)[-1] in ("Nm", "rad", "turn", "ratio") for name in read_table(data))
+    assert all(
+        name.rsplit("_", 1)[-1] in ("Nm", "rad", "turn", "ratio", "efficiency") for name in read_table(data)
+    )
     for name, values in read_table(data).items():
         np.testing.assert_array_equal(values, table_columns(content)[name])
     comments = [line for line in data.decode().splitlines() if line.startswith("#")]

@@ -10,12 +10,13 @@ import numpy as np
 import asperity
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, one_line
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, contact_values
 from asperity.joint.pin_bound import stiffness_bound
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.made_files import WRITTEN_BY
 from asperity.results.windup_document import examined_windup
+from asperity.rolling.conditions import ZERO_CELSIUS
 from asperity.rolling.document import unknown_because
 from asperity.standing.dynamics import Inertias, two_inertias
 from asperity.standing.parallel_elements import ParallelElements, fit_error, parallel_elements
@@ -49,6 +50,8 @@ class ExportContent:
     ``level`` is the stiffness that was integrated into the wind-up, its loading curves and loop at 2n − 1 torques;
     ``curves`` are stiffness and drift at the same torques. ``no_drift_because`` says why there is no steady rolling at
     the largest torque, one sentence each; empty where there is. ``source`` is the name of the joint file.
+    ``efficiency`` of steady rolling at the largest torque, nan where it is unknown, and ``traction_capacities``, the
+    largest T/N there of each contact by its name, empty without an oil whose traction is known [-].
     """
 
     source: str
@@ -58,6 +61,8 @@ class ExportContent:
     curves: BothSenses
     parts: MovingParts
     no_drift_because: tuple[str, ...]
+    efficiency: float = float("nan")
+    traction_capacities: tuple[tuple[str, float], ...] = ()
 
     @property
     def name(self) -> str:
@@ -124,7 +129,19 @@ def export_content(
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
     because = unknown_because(joint, forward.result) if lost else []
     parts = _moving_parts(joint, inertias, forward)
-    return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
+    rolling = forward.result.rolling
+    capacities = () if rolling.film is None else np.asarray(rolling.film.traction_capacity).tolist()
+    return ExportContent(
+        source,
+        joint,
+        level,
+        curve,
+        curves,
+        parts,
+        tuple(because),
+        float(np.asarray(rolling.power.efficiency)),
+        tuple(zip(joint.contact_names, capacities, strict=True)) if capacities else (),
+    )
 
 
 def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
@@ -150,6 +167,8 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"Stiffness at {torque}, {content.ends[0]} locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
         f"({format_quantity(content.stiffness, 'N*m/arcmin')}){_bound(content)}",
         drift_sentence(content),
+        efficiency_sentence(content),
+        conditions_sentence(content),
         f"Wind-up at {torque}: {format_quantity(float(content.windup.angle[-1]), 'arcmin')}, at minus this torque "
         f"{format_quantity(float(content.windup.angle[0]), 'arcmin')}; width of the loop at zero torque: "
         f"{format_quantity(float(content.windup.hysteresis), 'arcmin')}",
@@ -178,6 +197,38 @@ def drift_sentence(content: ExportContent) -> str:
         f"Drift per output turn at {torque}, steady rolling: {content.drift:.6g} rad "
         f"({format_quantity(content.drift, 'arcmin')})"
     )
+
+
+def efficiency_sentence(content: ExportContent) -> str:
+    """The efficiency at the largest torque, or that it is unknown."""
+    torque = format_quantity(content.largest_torque, "N*m")
+    if not np.isfinite(content.efficiency):
+        return f"Efficiency at {torque}: unknown."
+    return f"Efficiency at {torque}, steady rolling: {100.0 * content.efficiency:.4g} %"
+
+
+def conditions_sentence(content: ExportContent) -> str:
+    """Which friction the numbers of rolling have, and at which speed and temperature of the oil they hold."""
+    joint = content.joint
+    stated = ", ".join(dict.fromkeys(f"{float(each):.4g}" for each in _frictions(joint)))
+    if float(joint.input_speed) == 0.0:
+        return f"Drift: of slow rolling, with the stated friction {stated}."
+    speed = f"{format_quantity(abs(float(joint.input_speed)), 'rpm')} of the {content.ends[0]}"
+    oil = joint.rolling.lubricant
+    if oil is None or oil.fluid.traction is None:
+        return f"Drift, efficiency and friction at the motor: at {speed}, with the stated friction {stated}."
+    warm = format_quantity(float(oil.temperature) - ZERO_CELSIUS, "degC")
+    known = [f"{ratio:.4g} at {name}" for name, ratio in content.traction_capacities if np.isfinite(ratio)]
+    largest = f" (largest T/N {', '.join(known)})" if known else ""
+    return (
+        f"Drift, efficiency and friction at the motor: at {speed} and oil of {warm}, by its film and the asperities"
+        f"{largest}; other speeds and temperatures have others. The joint that stands has the stated friction {stated}."
+    )
+
+
+def _frictions(joint: Joint) -> np.ndarray:
+    """Friction coefficients of the contacts [-]."""
+    return np.ravel(np.asarray(contact_values(joint, joint.friction_coefficients), dtype=float))
 
 
 def play_sentence(content: ExportContent) -> str:

@@ -27,6 +27,7 @@ _COLUMNS = (
     "  slip: share of the loading angle that is lost to slip; it follows Masing's rule, the rest is reversible.",
     "  drift_driving, drift_braking: angle by which the output gives way to the torque in one turn of its own in "
     "steady rolling, if the drive turns with the torque or against it.",
+    "  efficiency: output over input power in steady rolling at the speed of the joint file; nan where it is unknown.",
     "  largest_slip_ratio: the largest T/(mu N) of all contacts, standing under the torque.",
 )
 
@@ -85,6 +86,7 @@ def table_columns(content: ExportContent) -> dict[str, np.ndarray]:
         "slip_rad": curve.slip_angle,
         "drift_driving_rad_per_turn": curves.driving_drift,
         "drift_braking_rad_per_turn": curves.braking_drift,
+        "efficiency": curves.efficiency,
         "largest_slip_ratio": curves.slip_ratio,
     }
     return {name: np.asarray(values, dtype=float) for name, values in columns.items()}

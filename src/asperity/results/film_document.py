@@ -33,8 +33,8 @@ class FilmOverSpeed(NamedTuple):
     """The oil in the contacts of a joint over speed, under one torque at the output [N·m].
 
     ``here``: at the speed of its file and its temperature, one point; ``curves``: one for each temperature.
-    ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K]; ``shear_law`` of
-    the film, None where a data sheet or a curve states its traction.
+    ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K]; ``shear_law``
+    of the film, None where a data sheet or a curve states its traction.
     """
 
     contact_names: tuple[str, ...]

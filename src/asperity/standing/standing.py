@@ -51,7 +51,8 @@ class BothSenses(Module):
     Incremental stiffnesses on the three levels at rest, play left out [N·m/rad], nan where a contact slips; the largest
     T/(mu N) of all contacts at rest. The drifts are the angle by which the output gives way to the torque in one turn
     of its own, with the sign of the torque [rad]: in steady rolling with the torque (the output falls behind), and
-    against it (it runs ahead); nan where there is no steady rolling.
+    against it (it runs ahead); nan where there is no steady rolling. ``efficiency`` of steady rolling [-], nan
+    where it is unknown or the input stands.
     """
 
     torque: Array
@@ -61,6 +62,7 @@ class BothSenses(Module):
     slip_ratio: Array
     driving_drift: Array
     braking_drift: Array
+    efficiency: Array
 
 
 def both_senses(*, joint: Joint, torque: Array | np.ndarray) -> BothSenses:
@@ -79,6 +81,7 @@ def both_senses(*, joint: Joint, torque: Array | np.ndarray) -> BothSenses:
         slip_ratio=xp.asarray(np.where(solved, slip, np.nan)),
         driving_drift=driving,
         braking_drift=braking,
+        efficiency=xp.asarray(results.efficiency),
     )
 
 
