@@ -88,7 +88,7 @@ def oiled_contact(
         conductivity=fluid.conductivity,
         rolling_speed=speed,
     )
-    full = heat * central_film_thickness(inlet=inlet)
+    full = xp.where(heat > 0.0, heat, xp.nan) * central_film_thickness(inlet=inlet)
     decay = 0.48 * rms_height
     if rough:
         shares = shared_load(
