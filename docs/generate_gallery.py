@@ -1,12 +1,13 @@
 """Write docs/gallery.md and its pictures from the examples: `python docs/generate_gallery.py`; needs a Chromium.
 
-The page at three widths, the drawing of every kind of drive, and the first pages of a report, each as it is now. The
-pictures have few colours, so that all of them together stay below 1.5 MB. `--without-page` leaves the pictures of the
-page as they are, and needs no Chromium.
+The page at three widths, the drawing of every kind of drive, the oil in contacts over speed, and the first pages of a
+report, each as it is now. The pictures have few colours, so that all of them together stay below 1.5 MB.
+`--without-page` leaves the pictures of the page as they are, and needs no Chromium.
 """
 
 from __future__ import annotations
 
+import contextlib
 import io
 import sys
 import tempfile
@@ -69,6 +70,16 @@ def sheet(name: str) -> str:
         return saved(Image.open(file), f"sheet_{name}", width=1000, colours=16)
 
 
+def film() -> str:
+    """The oil in the contacts of the example with oil, over speed at three temperatures."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "film.png"
+        arguments = ["film", "oil.toml", "--temperature", "20,40,80 degC", "--points", "60"]
+        with contextlib.chdir(EXAMPLES):  # the title is the file as it is named
+            CliRunner().invoke(asperity, [*arguments, "--plot", str(file)], catch_exceptions=False)
+        return saved(Image.open(file), "film", width=1000, colours=24)
+
+
 def report(name: str) -> list[str]:
     """The first pages of the report of an example."""
     file = EXAMPLES / f"{name}.toml"
@@ -92,6 +103,9 @@ def page() -> str:
         ),
         "## Drawings\n\n`asperity draw FILE --out drive.pdf`, one for each kind of drive ([](drives.md)).",
         *(f"### {title}\n\n![{title}: the drawing]({sheet(name)})" for name, title in DRIVES.items()),
+        '## Oil in contacts\n\n`asperity film oil.toml --temperature "20,40,80 degC" --points 60 --plot film.png` '
+        "([](friction.md)).",
+        f"![Largest traction and load on the asperities over the speed, of both contacts]({film()})",
         "## A report\n\n`asperity report planetary.toml --out report.pdf`, its first pages "
         "([](drawing_and_report.md)).",
         *(

@@ -47,6 +47,29 @@ def test_every_line_has_its_name(figure):
         assert said == {f"{contact} at {at} °C" for contact in ("sp", "pr") for at in (20, 40, 80)}
 
 
+def test_every_name_is_nearest_to_its_own_line(figure):
+    """Of the lines of its colour, which is that of its contact."""
+    names = [f"{contact} at {at} °C" for at in (20, 40, 80) for contact in ("sp", "pr")]
+    for axes in figure.axes:
+        lines = {}
+        for name, line in zip(names, axes.lines[:6], strict=True):
+            x, y = (np.asarray(values, dtype=float) for values in line.get_data())
+            ends = axes.transData.transform(np.column_stack([x, y])[np.isfinite(y)])
+            along = np.linspace(0.0, len(ends) - 1.0, 4000)
+            lines[name] = np.column_stack(
+                [np.interp(along, np.arange(len(ends)), ends[:, k]) for k in (0, 1)]
+            )
+        for text in axes.texts:
+            box = text.get_window_extent(figure.canvas.get_renderer())
+            low, high = np.array([box.x0, box.y0]), np.array([box.x1, box.y1])
+            far = {
+                name: np.min(np.linalg.norm(points - np.clip(points, low, high), axis=1))
+                for name, points in lines.items()
+            }
+            own = text.get_text()
+            assert far[own] == min(far[name] for name in names if name[:2] == own[:2]), own
+
+
 def test_contacts_that_are_alike_have_one_colour_and_one_name(film):
     twins = film._replace(
         contact_names=("sp_1", "sp_2"),

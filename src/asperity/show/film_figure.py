@@ -144,8 +144,8 @@ def _most_apart(values: np.ndarray, others: list[np.ndarray], enough: float) -> 
 
 
 def _beside(x: np.ndarray, y: np.ndarray, colour: str) -> Iterator[tuple[float, float, Document]]:
-    """Places beside points: above, below, and on both sides."""
-    for (at, height), distance in itertools.product(zip(x, y, strict=True), _DISTANCES):
+    """Places beside points: above, below, and on both sides; those close to the line first, at whatever point."""
+    for distance, (at, height) in itertools.product(_DISTANCES, zip(x, y, strict=True)):
         for across, up in _SIDES:
             options: Document = {
                 "xytext": (across * 2 * distance, up * distance),
