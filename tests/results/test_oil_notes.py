@@ -76,7 +76,9 @@ def test_an_oil_must_be_as_warm_as_its_data(temperature, ok):
 
 def with_oil(name, fluid, tmp_path):
     """An example with an oil at 20 degC, under a small torque that it carries."""
-    text = re.sub(r"\n\[(lubrication|temperature)\]\n[^[]*", "\n", (EXAMPLES / f"{name}.toml").read_text())
+    text = re.sub(
+        r"(?m)^\[(lubrication|temperature)\]\n(?:(?!\[).*\n)*", "", (EXAMPLES / f"{name}.toml").read_text()
+    )
     text = re.sub(r'(?m)^output_torque = "[^"]*"', 'output_torque = "0.2 N*m"', text)
     path = tmp_path / f"{name}_{fluid}.toml"
     path.write_text(text + OIL.format(warm="20 degC", fluid=fluid))
