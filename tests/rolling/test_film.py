@@ -148,3 +148,24 @@ def test_hardly_crowned_rollers_are_cylinders(joint_of_kind):
     found = joint_state(oiled(crowned, "S50", 40, 600)).rolling
     np.testing.assert_allclose(found.creepage, even.creepage, rtol=2e-2)
     np.testing.assert_allclose(found.film.traction_capacity, even.film.traction_capacity, rtol=2e-2)
+
+
+def test_the_smallest_film_is_thinned_at_its_inlet_too(wedge):
+    """By the heat there and by the supply, against the film of the same viscosity without both."""
+    joint = oiled(wedge, "S50", 20, 6000)
+    found = joint_state(joint)
+    lubricant = joint.rolling.lubricant
+    half = dataclasses.replace(joint.rolling, lubricant=dataclasses.replace(lubricant, supply=0.5))
+    starved = joint_state(dataclasses.replace(joint, rolling=half)).rolling
+    flooded = found.rolling
+    assert np.all(np.asarray(found.inlet_heat_factor) < 0.95)
+    for k, coefficient in enumerate(np.asarray(flooded.film.pressure_coefficient)):
+        plain = dataclasses.replace(
+            joint.rolling, lubricant=None, pressure_viscosity_coefficient=float(coefficient)
+        )
+        alone = joint_state(dataclasses.replace(joint, rolling=plain)).rolling
+        # the forces in rolling differ a little with the traction of the film
+        thinned = float(flooded.film_thickness[k]) / float(alone.film_thickness[k])
+        assert thinned == pytest.approx(float(found.inlet_heat_factor[k]), rel=0.02)
+    ratio = np.asarray(starved.film_thickness) / np.asarray(flooded.film_thickness)
+    np.testing.assert_allclose(ratio, 0.5, rtol=0.02)

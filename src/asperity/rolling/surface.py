@@ -25,6 +25,7 @@ from asperity.joint.contacts import JointContacts
 from asperity.joint.crowned_contacts import slice_slip_ratios
 from asperity.materials import Material
 from asperity.rolling.conditions import RollingConditions
+from asperity.rolling.inlet_heat import inlet_heat
 from asperity.rolling.life import sliced_track_lives, track_lives
 from asperity.types import Array, Real
 
@@ -76,7 +77,7 @@ def oil_film(
 ) -> tuple[Array, Array]:
     """Thickness of the oil film that would carry the whole load, and its ratio to the roughness.
 
-    Shape (contacts, ...).
+    Shape (contacts, ...); that of a fluid as heat and supply at the inlet leave it.
     """
     absent = xp.full_like(normal_force, xp.nan)
     coefficient = _pressure_coefficient(conditions, pairs, normal_force)
@@ -91,12 +92,40 @@ def oil_film(
         effective_radius=pairs.effective_radius,
         contact_modulus=pairs.moduli.contact_modulus,
     )
-    thickness = xp.where(turns, thickness, xp.nan)
+    thickness = xp.where(
+        turns, thickness * _left_at_inlet(conditions, pairs, normal_force, rolling_speed), xp.nan
+    )
     if conditions.roughness is None:
         return thickness, absent
     roughness = xp.stack(xp.broadcast_arrays(*map(xp.asarray, conditions.roughness)))
     roughness = roughness.reshape(*roughness.shape, *(1,) * (thickness.ndim - roughness.ndim))
     return thickness, xp.asarray(film_ratio(film_thickness=thickness, roughness=roughness))
+
+
+def _left_at_inlet(
+    conditions: RollingConditions, pairs: RollerPairs, normal_force: Array, rolling_speed: Array
+) -> Real:
+    """What heat and supply at the inlet leave of the film of a fluid [-]; 1 where its viscosity alone is known."""
+    oil = conditions.lubricant
+    if oil is None:
+        return 1.0
+    factor = oil.supply * inlet_heat(
+        lubricant=oil,
+        peak_pressure=_peak_pressure(pairs, normal_force),
+        contact_modulus=pairs.moduli.contact_modulus,
+        rolling_speed=xp.where(rolling_speed > 0.0, rolling_speed, 1.0),
+    )
+    return xp.where(factor > 0.0, factor, xp.nan)
+
+
+def _peak_pressure(pairs: RollerPairs, normal_force: Array) -> Array:
+    """Peak pressures of contacts [Pa]; of those without a force that of 1 N."""
+    force = xp.where(normal_force > 0.0, normal_force, 1.0)
+    return xp.asarray(
+        peak_pressure(
+            normal_force=force, contact_length=pairs.contact_length, half_width=pairs.half_width(force)
+        )
+    )
 
 
 def _pressure_coefficient(
@@ -106,13 +135,10 @@ def _pressure_coefficient(
     oil = conditions.lubricant
     if oil is None:
         return conditions.pressure_viscosity_coefficient
-    pressed = normal_force > 0.0
-    force = xp.where(pressed, normal_force, 1.0)
-    peak = peak_pressure(
-        normal_force=force, contact_length=pairs.contact_length, half_width=pairs.half_width(force)
-    )
     return reciprocal_asymptotic_coefficient(
-        viscosity=oil.fluid.viscosity, peak_pressure=xp.asarray(peak), temperature=oil.temperature
+        viscosity=oil.fluid.viscosity,
+        peak_pressure=_peak_pressure(pairs, normal_force),
+        temperature=oil.temperature,
     )
 
 
