@@ -86,12 +86,12 @@ class UnderTorque(NamedTuple):
 
 
 def loading(
-    machine: JointMachine, without_torque: Pressed
+    machine: JointMachine, without_torque: Pressed, *, sliding: Array | None = None
 ) -> Callable[[Array, Array | bool, Array | bool], UnderTorque]:
     """How a joint under output torques [N·m] keeps its limits, from its assembled state; equations (A9) and (M3).
 
     Of a torque and the flags of :func:`asperity.drive.state.states.loaded_state`. The limits are slip, lift-off, widths
-    of strips and walls, and a solution.
+    of strips and walls, and a solution. ``sliding``: signs of the contacts that slide in rolling, None for none.
     """
     joint, contacts = machine.joint, machine.contacts
     limits = (smaller_sizes(joint), *_widths_of_walls(machine))
@@ -114,6 +114,7 @@ def loading(
             rolls=rolls,
             holds=holds,
             creep_of=creep_under(machine, searching=True),
+            sliding=sliding,
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction

@@ -216,6 +216,7 @@ def loaded_state(
     rolls: Array | bool,
     holds: Array | bool = False,
     creep_of: CreepOf | None = None,
+    sliding: Array | None = None,
 ) -> DriveState:
     """A drive under a torque, standing or rolling, from its assembled state.
 
@@ -235,6 +236,9 @@ def loaded_state(
         Whether every contact of the standing drive holds, one beyond its friction too.
     creep_of : callable or None, optional
         Creep law of contacts under normal and tangential forces; None for that of the laws.
+    sliding : Array or None, optional
+        Signs of the contacts that slide as a whole in the rolling drive, each with the force of its friction while
+        others carry the rest, shape (contacts,) [-]; None for none.
 
     Returns
     -------
@@ -252,7 +256,8 @@ def loaded_state(
     """
     rolling, standing = _rolling_kinds(creep_of), (STANDING, _KNOWN_STANDING)
     kinds = tuple(xp.where(rolls, *either) for either in zip(rolling, standing, strict=False))
-    return _loaded(drive, laws, rest, load, [(STANDING,) if rolls is False else kinds], creep_of, holds)[-1]
+    given = [(STANDING,) if rolls is False else kinds]
+    return _loaded(drive, laws, rest, load, given, creep_of, holds, sliding)[-1]
 
 
 def standing_state(*, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad) -> DriveState:
@@ -301,6 +306,7 @@ def _loaded(
     kinds: _Kinds,
     creep_of: CreepOf | None,
     holds: Array | bool = False,
+    sliding: Array | None = None,
 ) -> list[DriveState]:
     """One state after the other, each from the one before it; those of one tuple by one program."""
     machine, loaded, begin = under_load(drive, laws, rest, load, creep_of)
@@ -310,7 +316,7 @@ def _loaded(
         kind = xp.where(first, ROLLING, xp.where(known, STANDING, kind))
         task = loaded._replace(kind=kind, by_laws=first)
         unknowns, slides = before
-        holding = xp.where(kind == STANDING, slides, 0.0)
+        holding = xp.where(kind == STANDING, slides, 0.0 if sliding is None else sliding)
         found = solved(machine, task, unknowns, slides=holding, pressed_sectors=0, known=known, holds=holds)
         return (found.unknowns, found.slides), state_of(machine, task, found)
 
