@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from asperity.api.structure import dynamics, loads
     from asperity.api.studies import plot, sensitivity, sweep, uncertainty
     from asperity.api.surface import measure_surface
+    from asperity.api.wear import wear
     from asperity.api.window import window
     from asperity.api.windup import windup
 
@@ -46,6 +47,7 @@ _OFFERED = {
     "sensitivity": "asperity.api.studies",
     "sweep": "asperity.api.studies",
     "uncertainty": "asperity.api.studies",
+    "wear": "asperity.api.wear",
     "window": "asperity.api.window",
     "windup": "asperity.api.windup",
     "write_report": "asperity.api.documents",
@@ -69,6 +71,7 @@ __all__ = [
     "sensitivity",
     "sweep",
     "uncertainty",
+    "wear",
     "window",
     "windup",
     "write_report",

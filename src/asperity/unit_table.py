@@ -51,6 +51,7 @@ class Dimension(Enum):
     VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0), "cP")
     KINEMATIC_VISCOSITY = ("a kinematic viscosity", "m^2/s", "100 mm^2/s", (2, 0, -1, 0, 0), "cSt")
     INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0), "1/MPa")
+    WEAR_COEFFICIENT = ("a wear coefficient", "1/Pa", "1e-17 1/Pa", (1, -1, 2, 0, 0), "mm^3/(N*m)")
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0, 0))
     STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0, 0), "N/um kN/mm lbf/in")
     TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1, 0))

@@ -1,10 +1,11 @@
 """Quantities as text: ``"13.5 mm"`` to SI and back, in a fraction of a millisecond and without dependencies.
 
 A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``5 Nm``, ``7850 kg/m^3``,
-``3e4 N*m/rad``. Products and quotients are evaluated from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
-parentheses. A hyphen or a point between two names makes one unit of them, ``5 N-m``, ``5 in-lb``, also behind a
-stroke: ``475 J/kg-K`` is J/(kg·K). Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is
-exact except for one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
+``3e4 N*m/rad``. Products and quotients are evaluated from left to right (``N/mm/rad`` is N/(mm·rad)); the only
+parentheses are those of a product below a stroke, ``mm^3/(N*m)``. A hyphen or a point between two names makes one unit
+of them, ``5 N-m``, ``5 in-lb``, also behind a stroke: ``475 J/kg-K`` is J/(kg·K). Powers are whole numbers after ``^``
+or ``**``, or superscripts. The arithmetic is exact except for one rounding, so that ``"13.5 mm"`` gives the same float
+as writing ``0.0135``.
 
 Pounds and ounces are masses. Beside a length they are forces where a mass makes no quantity that is known:
 ``lb*in`` is a torque, ``lb*in^2`` a moment of inertia.
@@ -31,6 +32,8 @@ _HYPHENS = str.maketrans("\u2010\u2011\u2013", "---")  # as data sheets write th
 _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
 _TERM = r"\s*(\.?-|[*/.]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
 _ARC = r"\barc\s*[-.]?\s*(?=min|sec)"
+#: A product in parentheses below a stroke.
+_BELOW_A_STROKE = r"/\s*\(([^()/]*)\)"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
 _HARDNESS = r"\s*(H[VK]|HR[A-K]|HBW?|HBS|HL[A-Z]*|HSD?)\s*[\d./]*\s*"  # scale, and the load of the test
 _PER_MINUTE = r"\s*(1?\s*/\s*min|min\s*((\^|\*\*)\s*-1|⁻¹))\s*"
@@ -96,6 +99,7 @@ def _terms(text: str) -> list[tuple[str, int]]:
         lambda raised: "^" + raised[0].translate(_SUPERSCRIPTS),
         written.translate(_SAME).translate(_HYPHENS),
     )
+    plain = re.sub(_BELOW_A_STROKE, lambda group: "/" + re.sub(r"[*\s]+", "/", group[1].strip()), plain)
     plain = re.sub(_ARC, "arc", plain)
     units = unit_table()
     terms: list[tuple[str, int]] = []
@@ -127,7 +131,7 @@ def _terms(text: str) -> list[tuple[str, int]]:
 def _hint(plain: str, rest: str) -> str:
     """What to write instead of a unit that cannot be read from ``rest`` on."""
     if "(" in plain:
-        return "; parentheses are not supported, write for example 'N/m/rad'"
+        return "; parentheses are only those of a product below a stroke, 'mm^3/(N*m)'"
     name = re.search(r"[^\W\d]+$", plain.removesuffix(rest))
     if name and re.fullmatch(r"[+-]?\d+", rest):
         return f"; write a power with '^', for example '{name[0]}^{rest}'"

@@ -24,6 +24,7 @@ COMMANDS: dict[str, str] = {
     "roll": "Drift, losses, thrust and life of a joint that turns.",
     "accuracy": "Transmission error and forces over a turn, from runout and roundness.",
     "film": "Oil in the contacts over speed: film, asperities and traction.",
+    "wear": "How tracks wear, and how long the joint then carries its load.",
     "window": "Torques that a joint may pass over temperature or preload, and what limits them.",
     "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
     "loads": "Forces on pins, bearings, shafts and housing.",

@@ -159,6 +159,8 @@ class Joint(Module):
     carrier_balance : {"complete", "printed"}, optional
         ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
         the carrier.
+    wear_coefficients : tuple of Real or None, optional
+        Of the tracks of each body [1/Pa]; None where nobody states one.
     """
 
     type: str = static()
@@ -200,6 +202,7 @@ class Joint(Module):
     housing: Housing | None = None
     heat: HeatBalance | None = None
     carrier_balance: Literal["complete", "printed"] = static(default="complete")
+    wear_coefficients: tuple[Real, ...] | None = None
 
     @property
     def working_pattern(self) -> Array:

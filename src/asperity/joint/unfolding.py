@@ -69,6 +69,9 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         drive=drive,
         shapes=tuple(joint.shapes[i] for i in order),
         materials=tuple(joint.materials[i] for i in order),
+        wear_coefficients=None
+        if joint.wear_coefficients is None
+        else tuple(joint.wear_coefficients[i] for i in order),
         surfaces=repeated(joint.surfaces),
         contact_lengths=repeated(joint.contact_lengths),
         friction_coefficients=repeated(joint.friction_coefficients),

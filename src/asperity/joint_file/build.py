@@ -118,6 +118,7 @@ def joint_at_temperatures(values: Values) -> Joint:
         input_bearing=rated_bearing(_called(kind, values).get("input_bearing")),
         output_bearing=rated_bearing(_called(kind, values).get("output_bearing")),
         crown_curvatures=_crown_curvatures(values),
+        wear_coefficients=_wear_coefficients(kind, values, drive),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
         heat=balance_of(values),
     )
@@ -163,6 +164,16 @@ def _in_housing(joint: Joint, entry: Values, material: Material, temperatures: T
         for number, shape in enumerate(joint.shapes)
     )
     return dataclasses.replace(joint, shapes=shapes, housing=housing)
+
+
+def _wear_coefficients(kind: DriveType, values: Values, drive: Drive) -> tuple[Real, ...] | None:
+    """Wear coefficient of each body [1/Pa]; None where the file states none."""
+    if "wear" not in values:
+        return None
+    stated = values["wear"]["coefficient"]
+    if not isinstance(stated, dict):
+        return (stated,) * len(drive.bodies)
+    return tuple(stated[kind.material_key(body.name)] for body in drive.bodies)
 
 
 def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:

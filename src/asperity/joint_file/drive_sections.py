@@ -10,7 +10,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
-from asperity.joint_file.sections import ContactLength, Friction, Skew
+from asperity.joint_file.sections import ContactLength, Friction, Skew, WearCoefficient
 from asperity.units import format_quantity
 
 #: The name of a roller or a contact.
@@ -42,6 +42,11 @@ PartSurfaces = Annotated[
 ]
 PartSkews = Annotated[
     Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, Skew], Tag(ONE_FOR_EACH)],
+    Discriminator(_number_or_table),
+]
+PartWear = Annotated[
+    Annotated[WearCoefficient, Tag(ONE_FOR_ALL)]
+    | Annotated[dict[PartName, WearCoefficient], Tag(ONE_FOR_EACH)],
     Discriminator(_number_or_table),
 ]
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]

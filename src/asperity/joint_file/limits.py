@@ -100,6 +100,10 @@ SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")
 REQUIRED_LIFE = Key(Dimension.TIME, 0.0, 1e9, "h", open_lower=True, exact=True, example="20000 h")
+WEAR_COEFFICIENT = Key(
+    Dimension.WEAR_COEFFICIENT, 0.0, 1e-11, "1/Pa", open_lower=True, example="1e-17 1/Pa",
+    hint="severe wear of soft metals is 1e-12 1/Pa; 1 mm^3/(N*m) is 1e-9 1/Pa",
+)  # fmt: skip
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", open_lower=True, example="20 1/GPa")
 SUPPLY = Key(

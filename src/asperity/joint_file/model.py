@@ -18,6 +18,7 @@ from asperity.joint_file.drive_sections import (
     PartName,
     PartSkews,
     PartSurfaces,
+    PartWear,
 )
 from asperity.joint_file.fluid_entries import FluidEntry, FluidName
 from asperity.joint_file.form_entries import FormEntry
@@ -144,6 +145,14 @@ class Rolling(Section):
     phases; a limit of the joint, which moves no result."""
 
 
+class Wear(Section):
+    """Wear of the tracks, for `asperity wear`; without it times are products with the wear coefficient."""
+
+    coefficient: PartWear
+    """Wear coefficient k, worn volume over normal force and way of slip: one for all parts, or a table with the names
+    of [bodies]. There is no usual one: it spans ten orders of magnitude."""
+
+
 class ModelChoice(Section):
     """Which variants of the model to use."""
 
@@ -195,6 +204,8 @@ class Case(WholeFile):
     """Springs of pins, supports, rings and shafts; ideal if the section is absent."""
     rolling: Rolling | None = None
     """Skew, hysteresis, reliability and required life of the joint that turns."""
+    wear: Wear | None = None
+    """Wear of the tracks; its times have no hours if the section is absent."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
     fluids: dict[FluidName, FluidEntry] | None = None
@@ -415,6 +426,10 @@ class Case(WholeFile):
         """Names of the contacts, and of the bodies in [bodies]."""
         return self.drive_type.contact_names({}), self.drive_type.material_keys
 
+    def worn_parts(self) -> tuple[str, ...]:
+        """Names of the bodies in a table of wear coefficients: those of [bodies] without the housing."""
+        return self.part_names()[1]
+
     def misnamed_parts(self) -> list[str]:
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
         messages = list(self._without_effect())
@@ -428,6 +443,7 @@ class Case(WholeFile):
             ("drive.contact_length", self.drive.contact_length, contacts),
             ("load.friction_coefficient", self.load.friction_coefficient, contacts),
             ("rolling.skew", None if self.rolling is None else self.rolling.skew, contacts),
+            ("wear.coefficient", None if self.wear is None else self.wear.coefficient, self.worn_parts()),
             ("surface", self.surface, contacts),
         ):
             if not isinstance(table, dict):
@@ -439,7 +455,7 @@ class Case(WholeFile):
                     "bodies.housing: there is no section [housing]; give one, or leave the material out"
                 )
             messages += [
-                f"{path}.{name}: a {self.type} drive has no such {'body' if path == 'bodies' else 'contact'}"
+                f"{path}.{name}: a {self.type} drive has no such {'contact' if known == contacts else 'body'}"
                 f"{nearest(name, known) or '; it has ' + ', '.join(known)}"
                 for name in unknown
             ]

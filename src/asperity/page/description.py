@@ -39,6 +39,7 @@ HEADINGS = {
     "input_bearing": "Rolling bearings of the input",
     "output_bearing": "Rolling bearings of the output",
     "rolling": "Rolling",
+    "wear": "Wear",
     "lubrication": "Lubrication",
     "fluids": "Oils",
     "life": "Life",

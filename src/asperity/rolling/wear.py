@@ -17,10 +17,15 @@ from asperity.drive.state.creep import drift_per_turn
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
+from asperity.errors import InputError
+from asperity.joint.capacity import limits_of
 from asperity.joint.description import Joint
 from asperity.joint.machine import JointMachine, joint_machine
+from asperity.joint.torque_limits import kind_words
 from asperity.rolling.wear_course import WearEnd, WearStage, WornCourse, capacities, states_at, worn_course
 from asperity.rolling.wear_rates import Wearing, WearLoad, WearState, Worn, side_tracks
+from asperity.types import Document
+from asperity.units import format_quantity
 
 #: Points of the course of wear, evenly over the time, and those at which the torque capacity is looked for.
 POINTS = 41
@@ -44,10 +49,10 @@ class WearNow(NamedTuple):
 class WearOverTime(NamedTuple):
     """A joint over wear coefficient times time, ``coefficient_time``, shape (points,) [s/Pa].
 
-    ``interference`` of the drive [m], ``preload`` [N], ``depth`` of the tracks, shape (tracks, points) [m]; ``drift`` by
-    creep, the mean of the loads, and ``size_drift`` by the worn radii, both per turn of the output [rad]; ``capacity``,
-    torque in rolling at which the first contact slides [N·m], at some of the points and nan at the others, infinite
-    where friction does not limit it.
+    ``interference`` of the drive [m], ``preload`` [N], ``depth`` of the tracks, shape (tracks, points) [m]; ``drift``
+    by creep, the mean of the loads, and ``size_drift`` by the worn radii, both per turn of the output [rad];
+    ``capacity``, torque in rolling at which the first contact slides [N·m], at some of the points and nan at the
+    others.
     """
 
     coefficient_time: np.ndarray
@@ -81,19 +86,23 @@ class JointWear(NamedTuple):
     crowned: bool
 
 
-def joint_wear(joint: Joint, coefficients: np.ndarray, *, keeps_force: bool) -> JointWear:
+def joint_wear(
+    joint: Joint, coefficients: np.ndarray, *, keeps_force: bool, also: float | None = None
+) -> JointWear:
     """Wear of a joint that carries its loads at the start; equations (W1)–(W5) of :doc:`/equations`.
 
     ``coefficients`` of its bodies over the largest one, shape (bodies,) [-]; ``keeps_force``: whether a cam or a force
-    follows the wear.
+    follows the wear; ``also``: a further point of the course [s/Pa]. An ``InputError`` if nothing slips, or a contact
+    does at once.
     """
     numbers: Joint = as_numbers(joint)
     loads = wear_loads(numbers)
     machine: JointMachine = at_once(joint_machine, without_duty(numbers))
     wearing = Wearing(machine, np.asarray(coefficients, dtype=float))
     state = states_at(wearing, unworn(wearing), loads)
+    _refuse_start(numbers, state, loads)
     tracks = track_names(machine.drive)
-    shared = {
+    shared: Document = {
         "contact_names": numbers.contact_names,
         "tracks": tracks,
         "coefficients": _of_tracks(machine.drive, wearing.coefficients),
@@ -110,7 +119,7 @@ def joint_wear(joint: Joint, coefficients: np.ndarray, *, keeps_force: bool) -> 
         **shared,
         first_slide=slides[0] if slides else None,
         nothing_left=None if course.carries_on else course.ends[-1],
-        course=_over_time(wearing, loads, course),
+        course=_over_time(wearing, loads, course, also),
         ends=course.ends,
     )
 
@@ -179,16 +188,41 @@ def _unlike_lengths(machine: JointMachine, tracks: tuple[str, ...]) -> tuple[str
     return tuple(name for track, name in enumerate(tracks) if np.ptp(lengths[numbers == track]) > 0.0)
 
 
-def _over_time(wearing: Wearing, loads: WearLoad, course: WornCourse) -> WearOverTime:
+def _refuse_start(joint: Joint, state: WearState, loads: WearLoad) -> None:
+    """Refuse a joint that does not wear, and one of which a contact slips before it does."""
+    if not np.any(loads.input_speed > 0.0):
+        raise InputError(
+            "the input stands (load.sun_speed is 0 or missing), and nothing wears; give it a speed, or loads "
+            "in [[duty]]"
+        )
+    if not np.any(loads.output_torque):
+        raise InputError(
+            "the output torque is 0 (load.output_torque): no contact slips, and nothing wears; give the torque of the "
+            "work, or loads in [[duty]]"
+        )
+    entries = limits_of(joint)
+    for number, excesses in enumerate(state.excesses[0]):
+        known = np.where(np.isnan(excesses), -1.0, excesses)
+        if known.max() >= 0.0:
+            kind, contact = entries[int(np.argmax(known))]
+            words = kind_words(kind, (*joint.contact_names, "none")[contact])
+            torque = format_quantity(float(loads.output_torque[number]), "N*m")
+            whose = f" of load {number + 1} of the [[duty]]" if len(loads.share) > 1 else ""
+            raise InputError(
+                f"under the output torque {torque}{whose} the joint does not roll at the start: {words}; lower the "
+                "torque, or raise the interference (load.interference) or the friction coefficient"
+            )
+
+
+def _over_time(wearing: Wearing, loads: WearLoad, course: WornCourse, also: float | None) -> WearOverTime:
     """The joint over wear coefficient times time, to the last end."""
     last = course.stages[-1].coefficient_time[-1]
-    times = np.unique(
-        np.concatenate(
-            [np.linspace(0.0, last, POINTS), [stage.coefficient_time[-1] for stage in course.stages[:-1]]]
-        )
-    )
+    further = [stage.coefficient_time[-1] for stage in course.stages[:-1]]
+    further += [] if also is None or also > last else [also]
+    times = np.unique(np.concatenate([np.linspace(0.0, last, POINTS), further]))
     parts: list[tuple[np.ndarray, ...]] = []
-    worn, first = [], 0.0
+    worn: list[Worn] = []
+    first = 0.0
     for stage in course.stages:
         end = stage.coefficient_time[-1]
         inside = times[(times >= first) & ((times < end) | (stage is course.stages[-1]))]
@@ -281,4 +315,3 @@ def _capacity(wearing: Wearing, loads: WearLoad, worn: Worn, course: WornCourse)
         guess=abs(load.output_torque) * left / slides.interference,
     )
     return found
-

@@ -1,14 +1,16 @@
 r"""The course of wear of one joint: from its first interference to the first contact that slides, and to nothing left.
 
-The time is an integral over the interference of the drive, :math:`k t = \int d\delta/w(\delta)`. The rate w has a root's
-slope where a contact begins to slide, and :math:`\delta = \delta_e + (\delta_0 - \delta_e)\,y^2` takes it away. Where the
-drive feels more than one number, with unlike sectors, several self-stresses or crowns, the interferences of all
-contacts follow along the same Gauss points, pass by pass (Picard's iteration), with many states side by side.
+The time is an integral over the interference of the drive, :math:`k t = \int d\delta/w(\delta)`. The rate w has a
+root's slope where a contact begins to slide, and :math:`\delta = \delta_e + (\delta_0 - \delta_e)\,y^2` takes it
+away. Where the drive feels more than one number, with unlike sectors, several self-stresses or crowns, the
+interferences of all contacts follow along the same Gauss points, pass by pass (Picard's iteration), with many states
+side by side.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +21,6 @@ from asperity.engine import trees
 from asperity.engine.control import at_once, vectorised
 from asperity.errors import NoSolutionError
 from asperity.joint.capacity import limits_of
-from asperity.types import Array
 from asperity.rolling.wear_rates import (
     Wearing,
     WearLoad,
@@ -28,6 +29,7 @@ from asperity.rolling.wear_rates import (
     felt_interference,
     wear_state,
 )
+from asperity.types import Array
 
 _GAUSS_POINTS = 24
 #: Share of the interference up to which wear is followed.
@@ -67,9 +69,9 @@ class WearEnd(NamedTuple):
 class WearStage(NamedTuple):
     """Wear while the same contacts slide.
 
-    ``lost``: interference of the drive that wear has taken, rising, shape (n,) [m]; at each of them ``coefficient_time``
-    [s/Pa], ``worn`` off the contacts, and ``depth`` of the tracks, shape (n, 2, contacts) [m]. ``sliding``: signs of
-    the contacts that slide under each load, shape (loads, contacts) [-].
+    ``lost``: interference of the drive that wear has taken, rising, shape (n,) [m]; at each of them
+    ``coefficient_time`` [s/Pa], ``worn`` off the contacts, and ``depth`` of the tracks, shape (n, 2, contacts) [m].
+    ``sliding``: signs of the contacts that slide under each load, shape (loads, contacts) [-].
     """
 
     lost: np.ndarray
@@ -88,7 +90,10 @@ class WornCourse(NamedTuple):
 
 
 def states_at(wearing: Wearing, worn: Worn, loads: WearLoad) -> WearState:
-    """The joint at states of wear, shape (n, ...), under all loads, shape (loads, ...); numbers of shape (n, loads, ...)."""
+    """The joint at states of wear, shape (n, ...), under all loads, shape (loads, ...).
+
+    Numbers of shape (n, loads, ...).
+    """
     count, each = len(worn.interference), len(loads.share)
     states: Worn = trees.map(lambda leaf: np.repeat(np.asarray(leaf), each, axis=0), worn)
     under: WearLoad = trees.map(lambda leaf: np.tile(leaf, (count, *(1,) * (leaf.ndim - 1))), loads)
@@ -154,9 +159,7 @@ def _unworn(wearing: Wearing) -> Worn:
 def _further(wearing: Wearing, worn: Worn, loads: WearLoad, left: float) -> WearState:
     """The joint a little beyond a state of wear, with other contacts that slide."""
     pattern = np.asarray(wearing.machine.joint.pattern)
-    return states_at(
-        wearing, Worn(worn.interference + _FURTHER * left * pattern, worn.curvature), loads
-    )
+    return states_at(wearing, Worn(worn.interference + _FURTHER * left * pattern, worn.curvature), loads)
 
 
 def _duty_mean(values: np.ndarray, loads: WearLoad) -> np.ndarray:
@@ -172,13 +175,13 @@ def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> tuple[WearStage,
     """
     room = _MOST * (start.whole - start.lost)
     path, length, end = _straight(wearing, loads, start), room, None
-    nodes, weights = legendre.leggauss(_GAUSS_POINTS)
+    nodes, _ = legendre.leggauss(_GAUSS_POINTS)
     y = 0.5 * (1.0 + nodes)
     looks = _ahead(_guess(start), room)
     change = 0.0
     for _ in range(_PASSES):
         if change < _NEARLY:
-            end = _first_excess(lambda lost, path=path: _excesses(wearing, path(lost), loads), room, looks)
+            end = _first_excess(partial(_excesses_along, wearing, path, loads), room, looks)
             length = room if end is None else end[0]
             looks = np.minimum(length * (1.0 + _AROUND * _NEAR), room)
         before = path(length * (1.0 - y**2))
@@ -269,7 +272,7 @@ class _Taken:
 def _change(before: Worn, after: Worn, length: float, wearing: Wearing) -> float:
     """By how much two paths of wear differ, over the interference of the stage and the largest crown [-]."""
     change = float(np.max(np.abs(after.interference - before.interference))) / length
-    if after.curvature is None:
+    if after.curvature is None or before.curvature is None:
         return change
     crowns = np.max(np.asarray(wearing.machine.contacts.crown_curvature))
     return max(change, float(np.max(np.abs(after.curvature - before.curvature)) / crowns))
@@ -285,6 +288,13 @@ def _excesses(wearing: Wearing, worn: Worn, loads: WearLoad) -> np.ndarray:
     crowned = np.asarray(crowns) > 0.0
     flat = np.where(crowned, worn.curvature / np.where(crowned, crowns, 1.0) - (1.0 - _FLAT), -1.0)
     return np.concatenate([found, flat], axis=1)
+
+
+def _excesses_along(
+    wearing: Wearing, path: Callable[[np.ndarray], Worn], loads: WearLoad, lost: np.ndarray
+) -> np.ndarray:
+    """The same along a path, over the interference lost since the start of the stage, shape (n,) [m]."""
+    return _excesses(wearing, path(lost), loads)
 
 
 def _named(wearing: Wearing, loads: int, which: int) -> tuple[str, int, int]:

@@ -35,7 +35,7 @@ from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine
 from asperity.linear import product
 from asperity.rolling.creep import contact_friction
-from asperity.types import Array
+from asperity.types import Array, Number
 
 #: Of the forces around which the laws of unlike sectors are taken: each pass leaves less than a hundredth.
 _SETTLINGS = 3
@@ -56,8 +56,8 @@ class Worn(Module):
         Curvature that the crowns of each contact have lost, shape (contacts,) [1/m]; None where none is crowned.
     """
 
-    interference: Array
-    curvature: Array | None = None
+    interference: Number
+    curvature: Number | None = None
 
 
 class WearLoad(NamedTuple):
@@ -66,10 +66,10 @@ class WearLoad(NamedTuple):
     ``sliding``: signs of the contacts that slide as a whole under it, shape (contacts,) [-].
     """
 
-    output_torque: Array
-    input_speed: Array
-    share: Array
-    sliding: Array
+    output_torque: Number
+    input_speed: Number
+    share: Number
+    sliding: Number
 
 
 class WearState(NamedTuple):
@@ -84,15 +84,15 @@ class WearState(NamedTuple):
     """
 
     rates: Worn
-    drive_rate: Array
-    depth: Array
-    load_power: Array
-    excesses: Array
-    tangential: Array
-    interference: Array
-    preload: Array
-    speed_loss: Array
-    worst: Array
+    drive_rate: Number
+    depth: Number
+    load_power: Number
+    excesses: Number
+    tangential: Number
+    interference: Number
+    preload: Number
+    speed_loss: Number
+    worst: Number
 
 
 class Wearing(Module):
@@ -102,7 +102,7 @@ class Wearing(Module):
     """
 
     machine: JointMachine
-    coefficients: Array
+    coefficients: Number
 
 
 def worn_machine(machine: JointMachine, worn: Worn) -> JointMachine:
@@ -194,7 +194,9 @@ def load_powers(machine: JointMachine, state: DriveState) -> tuple[Array, AlongL
     speed = xp.abs(xp.asarray(joint.input_speed))
     slip = xp.abs(product(incidence(drive).turning, state.speed)) * speed
     friction_power = xp.abs(state.tangential) * slip
-    power = slipping_load_power(friction_power=friction_power, friction_coefficient=pairs.friction_coefficient)
+    power = slipping_load_power(
+        friction_power=friction_power, friction_coefficient=pairs.friction_coefficient
+    )
     sharing, across = None, None
     if joint.rolling.skew is not None or joint.rolling.lubricant is not None:
         creep = creep_law(machine, normal, state.tangential)
@@ -223,9 +225,7 @@ def load_powers(machine: JointMachine, state: DriveState) -> tuple[Array, AlongL
     return power, _along(lines, weight)
 
 
-def _mixed(
-    lines: CrownedLine | None, sharing: Array, normal: Array, slip: Array
-) -> tuple[Array, Array]:
+def _mixed(lines: CrownedLine | None, sharing: Array, normal: Array, slip: Array) -> tuple[Array, Array]:
     """Load powers of contacts with oil [W], and the mean of their asperities' share over the load [-]."""
     mean = sharing
     if lines is not None:
@@ -292,9 +292,7 @@ def side_tracks(drive: Drive) -> tuple[tuple[int, ...], tuple[int, ...]]:
             of.update(dict.fromkeys(((body, contact) for contact in track.contacts), number))
             number += 1
     first, second = places(drive)
-    one, other = (
-        tuple(of[body, contact] for contact, body in enumerate(side)) for side in (first, second)
-    )
+    one, other = (tuple(of[body, contact] for contact, body in enumerate(side)) for side in (first, second))
     return one, other
 
 
