@@ -17,6 +17,7 @@ from asperity.results.limit_check import LimitCheck, checked_limits
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.rolling.accuracy import Accuracy
+from asperity.results.wear_limits import wear_checks
 from asperity.rolling.conditions import DutyPoint
 from asperity.rolling.document import no_duty_factor_because, no_factor_because
 from asperity.types import Array
@@ -33,7 +34,7 @@ def all_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """The limits of one solved joint that are not those of a result."""
-    return _duty_checks(solved) + life_checks(solved) + turn_checks(solved)
+    return _duty_checks(solved) + life_checks(solved) + turn_checks(solved) + wear_checks(solved)
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:

@@ -87,12 +87,18 @@ class JointWear(NamedTuple):
 
 
 def joint_wear(
-    joint: Joint, coefficients: np.ndarray, *, keeps_force: bool, also: float | None = None
+    joint: Joint,
+    coefficients: np.ndarray,
+    *,
+    keeps_force: bool,
+    also: float | None = None,
+    with_capacity: bool = True,
 ) -> JointWear:
     """Wear of a joint that carries its loads at the start; equations (W1)–(W5) of :doc:`/equations`.
 
     ``coefficients`` of its bodies over the largest one, shape (bodies,) [-]; ``keeps_force``: whether a cam or a force
-    follows the wear; ``also``: a further point of the course [s/Pa]. An ``InputError`` if nothing slips, or a contact
+    follows the wear; ``also``: a further point of the course [s/Pa]; ``with_capacity``: whether torque capacities are
+    looked for. An ``InputError`` if nothing slips, or a contact
     does at once.
     """
     numbers: Joint = as_numbers(joint)
@@ -119,15 +125,19 @@ def joint_wear(
         **shared,
         first_slide=slides[0] if slides else None,
         nothing_left=None if course.carries_on else course.ends[-1],
-        course=_over_time(wearing, loads, course, also),
+        course=_over_time(wearing, loads, course, also, with_capacity),
         ends=course.ends,
     )
 
 
 def wear_loads(joint: Joint) -> WearLoad:
-    """The loads under which a joint wears: those of its duty, or its own, no contact sliding."""
+    """The loads under which a joint wears: those of its duty that turn, or its own, no contact sliding.
+
+    The shares of a duty are those of the whole time: a load that stands takes its part of it, and nothing wears.
+    """
     duty = [(load.output_torque, load.input_speed, load.share) for load in joint.rolling.duty]
     points = duty or [(joint.output_torque, joint.input_speed, 1.0)]
+    points = [point for point in points if float(point[1]) > 0.0] or points
     torque, speed, share = (np.array([float(point[i]) for point in points]) for i in range(3))
     return WearLoad(torque, speed, share, np.zeros((len(points), len(joint.drive.contacts))))
 
@@ -214,7 +224,9 @@ def _refuse_start(joint: Joint, state: WearState, loads: WearLoad) -> None:
             )
 
 
-def _over_time(wearing: Wearing, loads: WearLoad, course: WornCourse, also: float | None) -> WearOverTime:
+def _over_time(
+    wearing: Wearing, loads: WearLoad, course: WornCourse, also: float | None, with_capacity: bool
+) -> WearOverTime:
     """The joint over wear coefficient times time, to the last end."""
     last = course.stages[-1].coefficient_time[-1]
     further = [stage.coefficient_time[-1] for stage in course.stages[:-1]]
@@ -247,7 +259,9 @@ def _over_time(wearing: Wearing, loads: WearLoad, course: WornCourse, also: floa
         depth=by_track(wearing.machine.drive, depth),
         drift=drift,
         size_drift=np.array([size_drift(wearing.machine.drive, each) for each in depth]),
-        capacity=_capacity(wearing, loads, all_worn, course),
+        capacity=_capacity(wearing, loads, all_worn, course)
+        if with_capacity
+        else np.full(len(times), np.nan),
     )
 
 

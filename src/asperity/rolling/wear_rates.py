@@ -21,7 +21,7 @@ from asperity.contact.wear import (
 )
 from asperity.drive.layout.drive import Drive, incidence
 from asperity.drive.layout.expansion import ring_interference
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import DriveState, surface_speeds
 from asperity.drive.state.states import rest_forces
 from asperity.engine.arrays import xp
 from asperity.engine.control import scan
@@ -30,7 +30,7 @@ from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.capacity import loading
 from asperity.joint.crowned_contacts import slice_slip_ratios
 from asperity.joint.description import places
-from asperity.joint.laws import creep_law, rolling_speeds
+from asperity.joint.laws import creep_law
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine
 from asperity.linear import product
@@ -201,7 +201,8 @@ def load_powers(machine: JointMachine, state: DriveState) -> tuple[Array, AlongL
     if joint.rolling.skew is not None or joint.rolling.lubricant is not None:
         creep = creep_law(machine, normal, state.tangential)
         if not creep.parallel:
-            across = xp.abs(creep.skew) * rolling_speeds(joint)
+            one, other = surface_speeds(drive=drive, speed=state.speed)
+            across = xp.abs(creep.skew) * (0.5 * (one + other) * speed)
             axial = contact_friction(
                 pairs=pairs, creep=creep, normal_force=normal, creepage=state.creepage
             ).axial
