@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 from asperity.contact.laws.registry import LAWS
 from asperity.joint_file.case_types import CASES, DefaultCase
 from asperity.joint_file.fluid_entries import CurveEntry, Fixed, RigEntry, TractionRow
-from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.quantity_key import Entered, Key
 from asperity.joint_file.section import Section, meaning
 
 PAGE = Path(__file__).with_name("joint_file.md")
@@ -107,7 +107,7 @@ def _key(field: FieldInfo) -> Key | None:
     for part in (*field.metadata, *_parts(field.annotation)):
         if isinstance(part, Key):
             return part
-        if isinstance(part, Fixed):
+        if isinstance(part, Fixed | Entered):
             return part.key
     return None
 

@@ -34,6 +34,7 @@ COMMANDS = {
     "windup plot": (".png", "windup JOINT --plot OUT"),
     "film plot": (".png", "film JOINT --plot OUT"),
     "accuracy plot": (".png", "accuracy JOINT --plot OUT"),
+    "wear plot": (".png", "wear JOINT --plot OUT"),
     "window": (".csv", "window JOINT --csv OUT --points 2"),
     "window plot": (".png", "window JOINT --plot OUT --points 2"),
     "loads": (".csv", "loads JOINT --csv OUT"),

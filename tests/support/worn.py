@@ -1,5 +1,6 @@
 """The check joint of wear: the paper's drive with smooth rollers as springs, its contacts split by their slip."""
 
+import functools
 from pathlib import Path
 
 import numpy as np
@@ -8,10 +9,12 @@ from asperity.engine.control import at_once
 from asperity.joint.machine import joint_machine
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.wear import wear_of_case
 from asperity.rolling.wear import wear_loads, without_duty
 from asperity.rolling.wear_rates import Wearing
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+COEFFICIENT = '\n[wear]\ncoefficient = "1e-17 1/Pa"\n'
 #: Bodies so light that no centrifugal force counts, as in the independent program.
 _CHANGES = {
     'preload = "1000 N"': 'interference = "12.9043 um"',
@@ -38,6 +41,12 @@ def check_text(changes=None):
 
 def check_case(changes=None, more=""):
     return parse_case(check_text(changes) + more, source="check.toml")
+
+
+@functools.cache
+def check_wear(more="", life=None):
+    """Wear of the check joint over a life [s], as ``asperity wear`` has it."""
+    return wear_of_case(check_case(more=more), life=life)
 
 
 def worn_joint(case):

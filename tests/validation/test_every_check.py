@@ -9,6 +9,7 @@ from asperity.validation.run import GROUPS
 
 #: Groups that take longer than a second.
 SLOW = (
+    "wear",
     "creep with oil",
     "heat",
     "unlike branches",
@@ -44,6 +45,7 @@ CHECKS = {
         (11, 0.1),
     ],
     "heat": [(3, 0.01), (3, 0.01), (1, 1e-6)],
+    "wear": [(5, 2e-3), (1, 1e-3), (2, 2e-3)],
     "stresses": [(3, 1e-09), (2000, 1e-09), (2, 0.002), (10, 0.0002)],
     "fatigue": [(5, 0.0002), (1, 1e-12), (3, 1e-12), (8, 1e-5)],
     "discs": [(1, 0.0005), (1, 0.02)],

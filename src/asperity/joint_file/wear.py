@@ -43,7 +43,8 @@ def wear_of_case(case: AnyCase, *, life: float | None = None) -> WearOverLife:
     refuse_not_pressed(joint, result.rest, result.pressed)
     refuse_short_contacts(result)
     kind = drive_type_of(values)
-    made_by = None if kind.approach is None else kind.approach(values["drive"])
+    pressed_from_outside = any(contact.pressed for contact in kind.contacts)
+    made_by = kind.approach(values["drive"]) if pressed_from_outside else None
     joint, keeps_force = _worn_joint(joint, made_by, float(result.interference))
     stated = joint.wear_coefficients
     coefficients = None if stated is None else np.array([float(each) for each in stated])

@@ -23,6 +23,7 @@ from asperity.validation import (
     roller_checks,
     standing_checks,
     turn_checks,
+    wear_checks,
 )
 from asperity.validation.check import Check, failed
 
@@ -42,6 +43,7 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "oil films and shares": film_checks.films,
     "creep with oil": film_checks.creep,
     "heat": heat_checks.heat,
+    "wear": wear_checks.wear,
     "stresses": contact_checks.stresses,
     "fatigue": contact_checks.fatigue,
     "discs": element_checks.discs,

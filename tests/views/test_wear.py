@@ -1,0 +1,83 @@
+"""Wear as it is shown: first figures, rates with or without hours, ends, the course, and what holds."""
+
+import pytest
+from shown_blocks import sentences, tables
+from tests.support.worn import COEFFICIENT, check_case, check_wear
+
+from asperity.joint_file.wear import wear_of_case
+from asperity.results.wear_document import wear_document
+from asperity.views.blocks import Figures
+from asperity.views.wear import wear
+
+
+@pytest.fixture(scope="module")
+def found():
+    return check_wear(COEFFICIENT, 2000.0 * 3600.0)
+
+
+@pytest.fixture(scope="module")
+def blocks(found):
+    return list(wear(wear_document(found)))
+
+
+def figures(blocks):
+    return {item.name: item for block in blocks if isinstance(block, Figures) for item in block.items}
+
+
+def test_first_figures(blocks):
+    shown = figures(blocks)
+    assert shown["first contact slides"].si == pytest.approx(5430.5 * 3600.0, rel=5e-3)
+    assert shown["first contact slides"].detail == "wlo slides"
+    assert shown["nothing left"].detail == "sp slides"
+    assert shown["largest wear coefficient"].detail == "for 2000 h to the first slide"
+    assert shown["preload"].unit == "N"
+
+
+def test_depths_per_1000_hours_and_after_the_life(blocks):
+    table = tables(blocks)["Depth of wear at the start"]
+    assert table.head == ("part", "µm per 1000 h", "after 2000 h\nµm")
+    assert [row[0] for row in table.rows][:2] == ["sun", "planet"]
+    assert float(table.rows[0][1]) == pytest.approx(0.6482, rel=2e-3)
+    assert table.rows[-1][0] == "interference of the drive"
+
+
+def test_course(blocks):
+    table = tables(blocks)["The joint over time"]
+    assert float(table.rows[0][2]) == pytest.approx(1000.0, rel=1e-3)
+    assert float(table.rows[0][3]) == pytest.approx(12.184, rel=5e-3)
+    assert float(table.rows[0][5]) == 0.0
+
+
+def test_without_a_coefficient():
+    blocks = list(wear(wear_document(check_wear())))
+    shown = figures(blocks)
+    assert shown["first contact slides"].unit == "s/Pa"
+    assert "All times are in proportion to 1/k" in " ".join(sentences(blocks))
+    table = tables(blocks)["Depth of wear at the start"]
+    assert float(table.rows[0][1]) == pytest.approx(0.6482, rel=2e-3)
+
+
+def test_a_cam_prints_its_stroke():
+    case = check_case(
+        {'interference = "12.9043 um"': 'preload = "200 N"\ncam_force_per_torque = "160 N/Nm"'}, COEFFICIENT
+    )
+    blocks = list(wear(wear_document(wear_of_case(case, life=1e4 * 3600.0))))
+    shown = figures(blocks)
+    assert shown["stroke"].si == pytest.approx(10.18e-6, rel=5e-3)
+    assert float(shown["preload"].shown) == pytest.approx(1000.0, rel=1e-3)
+    assert set(tables(blocks)) == {"Depth of wear at the start"}
+    assert "wear takes stroke instead" in " ".join(sentences(blocks))
+
+
+def test_an_end_that_is_not_known(found):
+    document = wear_document(found)
+    document["wear"] |= {"nothing_left": None, "nothing_left_hours": None, "nothing_left_kt_s_per_Pa": None}
+    assert "with skew or oil" in figures(list(wear(document)))["nothing left"].detail
+
+
+def test_what_is_left_out_is_said(found):
+    document = wear_document(found)
+    document["wear"] |= {"unlike_lengths": ["planet"], "crowned": True}
+    said = " ".join(sentences(list(wear(document))))
+    assert "Contacts of unlike lengths roll on one track (planet)" in said
+    assert "Crowns wear flatter" in said
