@@ -129,10 +129,20 @@ def by_differential_equations(wearing, loads, end):
     return found.y[-1, -1] * scale[-1], worn(found.y[:, -1])
 
 
-@pytest.mark.parametrize("which", ["stepped", "crowned"])
+@pytest.mark.parametrize(
+    "which",
+    [
+        "stepped",
+        pytest.param("crowned", marks=pytest.mark.slow),
+        pytest.param("branches", marks=pytest.mark.slow),
+    ],
+)
 def test_several_numbers_by_differential_equations(which):
-    """Several self-stresses, or crowns: nine tenths of the first stage."""
-    if which == "stepped":
+    """Several self-stresses, crowns, or unlike branches: nine tenths of the first stage."""
+    if which == "branches":
+        deviation = '\n[[branch]]\nplanet_deviation = "0.4 um"\n[[branch]]\n[[branch]]\n'
+        case = check_case(more=deviation)
+    elif which == "stepped":
         case = read_case(EXAMPLES / "stepped_planet.toml")
     else:
         case = check_case({'contact_length = "5 mm"': 'contact_length = "5 mm"\nplanet_crown_radius = "5 m"'})
@@ -153,3 +163,11 @@ def test_twice_the_speed_is_half_the_time():
     wearing, loads = worn_joint(check_case({'sun_speed = "6000 rpm"': 'sun_speed = "12000 rpm"'}))
     fast = worn_course(wearing, loads)
     assert fast.ends[0].coefficient_time == pytest.approx(0.5 * slow.ends[0].coefficient_time, rel=1e-4)
+
+
+@pytest.mark.slow
+def test_equal_branches_by_themselves_last_as_long():
+    wearing, loads = worn_joint(check_case(more=3 * "\n[[branch]]\n"))
+    found, (_, _, known) = worn_course(wearing, loads), course()
+    assert found.ends[0].coefficient_time == pytest.approx(known.ends[0].coefficient_time, rel=1e-3)
+    assert found.ends[0].contact in (4, 9, 14)

@@ -7,13 +7,15 @@ import pytest
 from tests.support.worn import EXAMPLES, changed, check_case, worn_joint
 
 from asperity.drive.layout.drive import incidence
+from asperity.drive.state.state import surface_speeds
 from asperity.engine.control import at_once
+from asperity.joint.capacity import loading
 from asperity.joint.solve import joint_state
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.rolling.wear import by_track, track_names, unworn
 from asperity.rolling.wear_course import states_at
-from asperity.rolling.wear_rates import Worn, felt_interference, side_tracks
+from asperity.rolling.wear_rates import Worn, felt_interference, side_tracks, worn_assembled, worn_machine
 
 #: µm in 1000 h with 1e-17 1/Pa.
 _PER_1000_H = 1e-17 * 3.6e6 * 1e6
@@ -177,3 +179,39 @@ def test_parts_of_unlike_coefficients():
     one, other = (states_at(each, unworn(each), loads).depth[0, 0] for each in (wearing, twice))
     assert other[0, 0] == pytest.approx(one[0, 0])
     assert other.ravel()[1:] == pytest.approx(0.5 * one.ravel()[1:])
+
+
+def test_energy_of_a_joint_in_which_one_contact_slides():
+    """Beyond the first slide: T = mu N there, and what enters is what leaves and what all contacts lose."""
+    wearing, loads = worn_joint(check_case())
+    lost = 7.35e-6  # between both ends of the check joint
+    sliding = np.zeros((1, 5))
+    sliding[0, 4] = np.sign(-1.0)
+    worn = Worn((lost * np.asarray(wearing.machine.joint.pattern))[None])
+    machine, pressed = worn_assembled(worn_machine(wearing.machine, Worn(worn.interference[0])))
+    under = at_once(
+        lambda machine, pressed: loading(machine, pressed, sliding=sliding[0])(5.0, True, False),
+        machine,
+        pressed,
+    )
+    state, drive = under.state, machine.drive
+    assert np.all(under.excesses < 0.0)
+    assert abs(state.tangential[4]) == pytest.approx(0.12 * state.normal[4], rel=1e-9)
+    slip = np.abs(np.asarray(incidence(drive).turning) @ state.speed)
+    assert slip[4] > 1.05 * np.abs(state.creepage[4]) * _rolled(drive, state.speed)[4]
+    other = [0, 1, 2, 3]
+    assert slip[other] == pytest.approx(
+        (np.abs(state.creepage) * _rolled(drive, state.speed))[other], rel=1e-6
+    )
+    out = drive.members.index(drive.output)
+    lost_power = 3.0 * np.sum(np.abs(state.tangential) * slip)
+    assert state.input_torque == pytest.approx(5.0 * abs(state.speed[out]) + lost_power, rel=1e-9)
+    shown = states_at(wearing, worn, loads._replace(sliding=sliding))
+    assert shown.load_power[0, 0] * 0.12 == pytest.approx(
+        np.abs(state.tangential) * slip * float(loads.input_speed[0]), rel=1e-9
+    )
+
+
+def _rolled(drive, speed):
+    one, other = surface_speeds(drive=drive, speed=speed)
+    return 0.5 * (np.asarray(one) + np.asarray(other))
