@@ -22,7 +22,8 @@ from asperity.joint.capacity import limits_of
 from asperity.joint.description import Joint
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import kind_words
-from asperity.rolling.wear_course import WearEnd, WearStage, WornCourse, capacities, states_at, worn_course
+from asperity.rolling.wear_capacity import capacities
+from asperity.rolling.wear_course import WearEnd, WearStage, WornCourse, states_at, worn_course
 from asperity.rolling.wear_rates import Wearing, WearLoad, WearState, Worn, side_tracks
 from asperity.types import Document
 from asperity.units import format_quantity
