@@ -9,6 +9,9 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.wear import wear_of_case
+from asperity.results.wear_document import wear_document
+from asperity.views.blocks import Figures
+from asperity.views.wear import wear
 
 BY_PART = '{ sun = "1e-8 mm^3/(N*m)", planet = "2e-17 1/Pa", loading_roller = "0.5e-17 1/Pa", ring = "1e-9 mm^3/Nm" }'
 
@@ -113,3 +116,24 @@ def test_a_joint_that_does_not_fit_is_refused_as_everywhere():
     text = changed(check_text(), {'ring_radius = "40 mm"': 'ring_radius = "25 mm"'})
     with pytest.raises(InputError):
         wear_of_case(parse_case(text, source="small.toml"))
+
+
+def test_a_cam_beside_an_interference_carries_on():
+    """The cam presses with its part whatever wear takes; the preload of the interference goes."""
+    stated = 'interference = "12.9043 um"'
+    found = wear_of_case(check_case({stated: f'{stated}\ncam_force_per_torque = "100 N/Nm"'}))
+    course = found.wear.course
+    assert course.preload[0] == pytest.approx(1500.0, rel=1e-4)
+    assert course.preload[-1] == pytest.approx(500.0, rel=1e-3)
+    assert course.interference[-1] == pytest.approx(0.0, abs=2e-8)
+    assert (found.wear.first_slide, found.wear.nothing_left) == (None, None)
+    assert found.wear.ends[-1].kind == "loose"
+    document = wear_document(found)["wear"]
+    assert document["computed_until"]["limit"] == "loose"
+    said = [
+        item.detail
+        for block in wear(wear_document(found))
+        if isinstance(block, Figures)
+        for item in block.items
+    ]
+    assert all("not computed beyond: the whole interference is gone" in detail for detail in said)

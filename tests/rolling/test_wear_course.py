@@ -10,6 +10,7 @@ from tests.support.worn import EXAMPLES, check_case, worn_joint
 from asperity.joint.solve import joint_state
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
+from asperity.rolling import wear_course
 from asperity.rolling.wear import at_times, unworn
 from asperity.rolling.wear_capacity import capacities
 from asperity.rolling.wear_course import states_at, worn_course
@@ -172,3 +173,25 @@ def test_equal_branches_by_themselves_last_as_long():
     found, (_, _, known) = worn_course(wearing, loads), course()
     assert found.ends[0].coefficient_time == pytest.approx(known.ends[0].coefficient_time, rel=1e-3)
     assert found.ends[0].contact in (4, 9, 14)
+
+
+@pytest.mark.slow
+def test_a_stage_in_parts_ends_where_the_whole_does(monkeypatch):
+    """What does not settle in a few passes is followed in parts."""
+    wearing, loads = worn_joint(read_case(EXAMPLES / "stepped_planet.toml"))
+    known = worn_course(wearing, loads)
+    monkeypatch.setattr(wear_course, "_PASSES", 5)
+    found = worn_course(wearing, loads)
+    assert len(known.stages) == len(known.ends) == len(found.ends) == 1
+    assert len(found.stages) > 1
+    assert found.ends[0].coefficient_time == pytest.approx(known.ends[0].coefficient_time, rel=1e-5)
+    assert found.stages[-1].depth[-1] == pytest.approx(known.stages[-1].depth[-1], rel=1e-5)
+
+
+@pytest.mark.slow
+def test_with_skew_only_the_first_end_is_known():
+    wearing, loads = worn_joint(check_case(more='\n[rolling]\nskew = "0.2 mrad"\n'))
+    found = worn_course(wearing, loads)
+    assert found.carries_on
+    assert [end.kind for end in found.ends] == ["gross_slip"]
+    assert found.ends[0].coefficient_time < course()[2].ends[0].coefficient_time

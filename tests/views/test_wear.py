@@ -71,7 +71,12 @@ def test_a_cam_prints_its_stroke():
 
 def test_an_end_that_is_not_known(found):
     document = wear_document(found)
-    document["wear"] |= {"nothing_left": None, "nothing_left_hours": None, "nothing_left_kt_s_per_Pa": None}
+    document["wear"] |= {
+        "nothing_left": None,
+        "computed_until": {"limit": "gross_slip", "contact": "wlo"},
+        "nothing_left_hours": None,
+        "nothing_left_kt_s_per_Pa": None,
+    }
     assert "with skew or oil" in figures(list(wear(document)))["nothing left"].detail
 
 

@@ -64,6 +64,7 @@ def wear_document(found: WearOverLife) -> Document:
             "nothing_left_kt_s_per_Pa": _time(wear.nothing_left),
             "first_slide": _end(wear, wear.first_slide),
             "nothing_left": _end(wear, wear.nothing_left),
+            "computed_until": _end(wear, wear.ends[-1]) if wear.ends and wear.carries_on else None,
             "coefficient_per_Pa": None if k is None else _by_track(wear, k * wear.coefficients),
             "life_hours": None if found.life is None else found.life / _HOUR,
             "allowed_coefficient_per_Pa": found.allowed_coefficient,

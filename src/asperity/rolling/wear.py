@@ -71,7 +71,8 @@ class JointWear(NamedTuple):
     ``tracks``: names of the bodies, with their tracks where they have several; ``coefficients`` of them over the
     largest one [-]. ``loads``: torque at the output [N·m], speed of the input [rad/s] and share of the time of each.
     ``first_slide`` and ``nothing_left``, None where wear does not lead there or it is not known; ``course``, None where
-    a cam or a spring keeps the force, so that nothing ends. ``unlike_lengths``: tracks with contacts of unlike lengths.
+    a cam or a spring keeps the force, so that nothing ends. ``ends`` of all stages; ``carries_on``: whether the joint
+    may do more than the last one says. ``unlike_lengths``: tracks with contacts of unlike lengths.
     """
 
     contact_names: tuple[str, ...]
@@ -83,6 +84,7 @@ class JointWear(NamedTuple):
     nothing_left: WearEnd | None
     course: WearOverTime | None
     ends: tuple[WearEnd, ...]
+    carries_on: bool
     unlike_lengths: tuple[str, ...]
     crowned: bool
 
@@ -119,7 +121,7 @@ def joint_wear(
         "crowned": machine.contacts.crown_curvature is not None,
     }
     if keeps_force:
-        return JointWear(**shared, first_slide=None, nothing_left=None, course=None, ends=())
+        return JointWear(**shared, first_slide=None, nothing_left=None, course=None, ends=(), carries_on=True)
     course = worn_course(wearing, loads)
     slides = [end for end in course.ends if end.kind == "gross_slip"]
     return JointWear(
@@ -128,6 +130,7 @@ def joint_wear(
         nothing_left=None if course.carries_on else course.ends[-1],
         course=_over_time(wearing, loads, course, also, with_capacity),
         ends=course.ends,
+        carries_on=course.carries_on,
     )
 
 

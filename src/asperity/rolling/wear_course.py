@@ -27,16 +27,23 @@ from asperity.rolling.wear_rates import (
     WearState,
     Worn,
     felt_interference,
+    others_carry,
     wear_state,
 )
 
 _GAUSS_POINTS = 24
 #: Share of the interference up to which wear is followed.
-_MOST = 1.0 - 1e-9
+_MOST = 1.0 - 1e-5
+#: And above which nothing is left where no balance is found.
+_ALL_BUT_GONE = 1.0 - 1e-3
 #: By how much further a joint must still hold where one contact slides, relative to the interference that is left.
 _FURTHER = 1e-4
 #: Passes along the path of the contacts' interferences, and by how much the last one changes it, relative.
 _PASSES, _SETTLED = 25, 1e-6
+#: Change over the whole below which passes must stay, to the power of their number; halvings of a stage that does not.
+_FALLING, _HALVINGS = 0.75, 8
+#: What ends a part of a stage: nothing.
+_GOES_ON = ""
 _NEARLY = 1e-3  # change from which on the end of a stage is looked for anew
 _LAST = 1e-3  # last bit of y, along whose slope a path goes on beyond its end
 _FLAT = 1e-3  # share of its curvature with which a crown counts as worn flat
@@ -119,21 +126,32 @@ def worn_course(wearing: Wearing, loads: WearLoad) -> WornCourse:
         stages.append(stage)
         lost, time = float(stage.lost[-1]), float(stage.coefficient_time[-1])
         state, depth = trees.map(lambda leaf: leaf[-1:], stage.worn), stage.depth[-1]
+        here = states_at(wearing, state, loads)
+        if kind == _GOES_ON:
+            continue
         ends.append(WearEnd(time, whole - lost, kind, contact, load))
         if kind != "gross_slip":
-            break
-        last = states_at(wearing, state, loads)
+            return WornCourse(tuple(stages), tuple(ends), _is_followed(wearing, kind))
         sliding = loads.sliding.copy()
-        sliding[load, contact] = np.sign(last.tangential[0, load, contact])
-        after = loads._replace(sliding=sliding)
-        here = _further(wearing, state, after, whole - lost)
+        sliding[load, contact] = np.sign(here.tangential[0, load, contact])
+        loads = loads._replace(sliding=sliding)
+        if _has_other_friction(wearing):
+            others = others_carry(wearing.machine.drive, contact)
+            return WornCourse(tuple(stages), tuple(ends), carries_on=others)
+        here = _further(wearing, state, loads, whole - lost)
         if not (np.all(here.worst < STATE_TOLERANCE) and np.all(here.excesses < 0.0)):
-            break
-        rolling = wearing.machine.joint.rolling
-        if rolling.skew is not None or rolling.lubricant is not None:
-            return WornCourse(tuple(stages), tuple(ends), carries_on=True)
-        loads = after
-    return WornCourse(tuple(stages), tuple(ends), carries_on=False)
+            return WornCourse(tuple(stages), tuple(ends), carries_on=False)
+
+
+def _is_followed(wearing: Wearing, kind: str) -> bool:
+    """Whether a joint works on beyond what is computed: a crown that is worn flat, and a cam without interference."""
+    return kind == "flat" or (kind == "loose" and wearing.machine.joint.cam is not None)
+
+
+def _has_other_friction(wearing: Wearing) -> bool:
+    """Whether a contact that slides bears something else than its friction."""
+    rolling = wearing.machine.joint.rolling
+    return rolling.skew is not None or rolling.lubricant is not None
 
 
 class _Start(NamedTuple):
@@ -164,19 +182,36 @@ def _duty_mean(values: np.ndarray, loads: WearLoad) -> np.ndarray:
     return np.tensordot(np.moveaxis(values, 1, -1), loads.share, axes=1)
 
 
-def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> tuple[WearStage, str, int, int]:
-    """One stage with what ends it; equation (W4).
+_Stage = tuple[WearStage, str, int, int]
+
+
+def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> _Stage:
+    """One stage with what ends it, or a part of it; equation (W4)."""
+    room = _MOST * (start.whole - start.lost)
+    for halvings in range(_HALVINGS):
+        found = _settled_stage(wearing, loads, start, room / 2.0**halvings, whole=halvings == 0)
+        if found is not None:
+            return found
+    raise NoSolutionError(
+        "the interferences of the contacts do not settle over their wear; state smaller deviations, larger crown "
+        "radii, or a smaller torque"
+    )
+
+
+def _settled_stage(
+    wearing: Wearing, loads: WearLoad, start: _Start, room: float, *, whole: bool
+) -> _Stage | None:
+    """A stage up to a loss of interference [m], ``whole`` of what is left or a part; None where it does not settle.
 
     The path of the contacts' interferences over that of the drive is taken straight first, then along its slopes, until
     it stays: at once where the drive feels one number.
     """
-    room = _MOST * (start.whole - start.lost)
     path, length, end = _straight(wearing, loads, start), room, None
     nodes, _ = legendre.leggauss(_GAUSS_POINTS)
     y = 0.5 * (1.0 + nodes)
     looks = _ahead(_guess(start), room)
     change = 0.0
-    for _ in range(_PASSES):
+    for number in range(_PASSES):
         if change < _NEARLY:
             end = _first_excess(partial(_excesses_along, wearing, path, loads), room, looks)
             length = room if end is None else end[0]
@@ -188,14 +223,14 @@ def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> tuple[WearStage,
         path = taken.path
         change, last = _change(before, path(length * (1.0 - y**2)), length, wearing), change
         if change < _SETTLED and last < _NEARLY:
-            break
-    else:
-        raise NoSolutionError(
-            f"the interferences of the contacts do not settle over their wear within {_PASSES} passes; state smaller "
-            "deviations, larger crown radii, or a smaller torque"
-        )
-    kind, contact, load = ("loose", -1, -1) if end is None else _named(wearing, len(loads.share), end[1])
-    return taken.stage(), kind, contact, load
+            if end is not None:
+                named = _named(wearing, len(loads.share), end[1])
+                gone = named[0] == "no_solution" and length > _ALL_BUT_GONE * room
+                return taken.stage(), *(("loose", -1, -1) if gone and whole else named)
+            return taken.stage(), "loose" if whole else _GOES_ON, -1, -1
+        if not change < _FALLING**number:
+            return None
+    return None
 
 
 def _straight(wearing: Wearing, loads: WearLoad, start: _Start) -> Callable[[np.ndarray], Worn]:

@@ -8,6 +8,7 @@ interference of a contact, off that of a ring too, whose radius grows.
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from asperity.contact.wear import (
 )
 from asperity.drive.layout.drive import Drive, incidence
 from asperity.drive.layout.expansion import ring_interference
+from asperity.drive.state.loads import member_moments
 from asperity.drive.state.state import DriveState, surface_speeds
 from asperity.drive.state.states import rest_forces
 from asperity.engine.arrays import xp
@@ -148,7 +150,7 @@ def wear_state(wearing: Wearing, worn: Worn, load: WearLoad) -> WearState:
     machine, without_torque = worn_assembled(worn_machine(wearing.machine, worn))
     machine = machine.under(load.output_torque, load.input_speed)
     under = loading(machine, without_torque, sliding=load.sliding)(load.output_torque, True, False)
-    drive, rest = machine.drive, under.pressed
+    drive, rest, alone = machine.drive, under.pressed, without_torque.rest
     power, along = load_powers(machine, under.state)
     each = depth_rates(wearing, machine, power)
     depth = on_tracks(drive, each if along is None else each * along.middle)
@@ -165,7 +167,7 @@ def wear_state(wearing: Wearing, worn: Worn, load: WearLoad) -> WearState:
         load_power=power,
         excesses=under.excesses,
         tangential=under.state.tangential,
-        interference=ring_interference(drive=drive, forces=rest.normal, interference=rest.interference),
+        interference=ring_interference(drive=drive, forces=alone.normal, interference=alone.interference),
         preload=mean_preload(machine.joint, rest.normal),
         speed_loss=under.state.speed_loss,
         worst=under.state.worst,
@@ -322,3 +324,27 @@ def felt_interference(machine: JointMachine) -> np.ndarray:
     rank = int(np.sum(sizes > _RANK * sizes.max(initial=1.0)))
     pressed = left[:contacts, rank:]
     return pressed @ np.linalg.pinv(pressed)
+
+
+def others_carry(drive: Drive, contact: int) -> bool:
+    """Whether other contacts can take over a part of the tangential force of one, by statics alone."""
+    matrices, count, pins = incidence(drive), len(drive.contacts), len(drive.pinned)
+    turning = drive.layout.turning
+    moments = np.stack(
+        [np.asarray(member_moments(drive, matrices, *each))[turning] for each in _units(count, pins)], axis=1
+    )
+    moments = np.concatenate([np.zeros((turning.size, count)), moments], axis=1)
+    forces = [np.asarray(each).T for each in (matrices.approach, matrices.sliding, matrices.pins[:pins])]
+    balance = np.concatenate(
+        [np.concatenate(forces, axis=1), moments / np.asarray(drive.second_radius).max()]
+    )
+    _, sizes, directions = np.linalg.svd(balance)
+    free = directions[np.sum(sizes > _RANK * sizes.max(initial=1.0)) :]
+    return bool(np.max(np.abs(free[:, count + contact]), initial=0.0) > _RANK)
+
+
+def _units(contacts: int, pins: int) -> Iterator[tuple[Number, Number]]:
+    """One newton at each contact, then at each pin: forces of the contacts and of the pins [N]."""
+    for place in range(contacts + pins):
+        one = np.eye(contacts + pins)[place]
+        yield one[:contacts], one[contacts:]

@@ -20,7 +20,7 @@ _WHAT = {
     "lift_off": "{contact} lifts off",
     "no_solution": "no balance is left",
     "loose": "the whole interference is gone",
-    "flat": "the crown of {contact} is worn flat; beyond is not computed",
+    "flat": "the crown of {contact} is worn flat",
     "contact_too_wide": "{contact} is too wide for line-contact theory",
     "wall_too_thin": "the wall at {contact} is too thin for its compliance to be known",
 }
@@ -43,7 +43,7 @@ def _figures(found: Document) -> Iterator[Figure]:
         if found["keeps_force"]:
             continue
         hours, time = found[f"{key}_hours"], found[f"{key}_kt_s_per_Pa"]
-        what = _what(found[key])
+        what = _what(found, key)
         if hours is not None:
             yield Figure(name, number(hours), "h", what, hours * _HOUR)
         else:
@@ -64,8 +64,11 @@ def _figures(found: Document) -> Iterator[Figure]:
     yield Figure("preload", number(preload), "N", f"{at}{beyond}", preload)
 
 
-def _what(end: Document | None) -> str:
-    """What happens at an end of wear."""
+def _what(found: Document, key: str) -> str:
+    """What happens at an end of wear, or why it is not known."""
+    end, until = found[key], found["computed_until"]
+    if end is None and until is not None and until["limit"] in ("flat", "loose"):
+        return f"not computed beyond: {_WHAT[until['limit']].format(contact=words(until['contact'] or ''))}"
     if end is None:
         return "not known: with skew or oil the joint in which one contact slides is not computed"
     said = _WHAT[end["limit"]].format(contact=words(end["contact"] or ""))
@@ -97,7 +100,7 @@ def _ends(found: Document) -> Table:
         rows.append(
             (
                 name,
-                _what(end),
+                _what(found, key),
                 NONE if end is None else number_in(end["interference_m"], "um"),
                 number(found[f"{key}_kt_s_per_Pa"]),
                 number(found[f"{key}_hours"]),
