@@ -16,12 +16,14 @@ from asperity.rolling.wear_rates import side_tracks
 
 def wear_of(case, **options):
     joint = joint_from_case(case)
-    return joint_wear(joint, np.ones(len(joint.drive.bodies)), **{"keeps_force": False, **options})
+    return joint_wear(
+        joint, np.ones(len(joint.drive.bodies)), **{"keeps_force": False, "with_capacity": False, **options}
+    )
 
 
 @pytest.fixture(scope="module")
 def check():
-    return wear_of(check_case(), also=0.5e-10)
+    return wear_of(check_case(), also=0.5e-10, with_capacity=True)
 
 
 def test_worn_radii_of_the_wedge_by_its_ratio():

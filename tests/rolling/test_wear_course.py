@@ -126,7 +126,7 @@ def by_differential_equations(wearing, loads, end):
         rates += [state.rates.curvature[0, 0]] if crowned else []
         return np.concatenate([*rates, [1.0]]) / state.drive_rate[0, 0] / scale
 
-    found = solve_ivp(slopes, (0.0, end), np.zeros(scale.size), rtol=1e-6, atol=1e-8)
+    found = solve_ivp(slopes, (0.0, end), np.zeros(scale.size), rtol=1e-5, atol=1e-7)
     assert found.success
     return found.y[-1, -1] * scale[-1], worn(found.y[:, -1])
 
@@ -152,11 +152,11 @@ def test_several_numbers_by_differential_equations(which):
     stage = worn_course(wearing, loads).stages[0]
     lost = 0.9 * stage.lost[-1]
     time, worn = by_differential_equations(wearing, loads, lost)
-    assert np.interp(lost, stage.lost, stage.coefficient_time) == pytest.approx(time, rel=1e-5)
+    assert np.interp(lost, stage.lost, stage.coefficient_time) == pytest.approx(time, rel=1e-4)
     at = at_times(stage, np.array([np.interp(lost, stage.lost, stage.coefficient_time)]))
-    assert at.interference[0] == pytest.approx(worn.interference[0], rel=1e-4, abs=1e-10)
+    assert at.interference[0] == pytest.approx(worn.interference[0], rel=3e-4, abs=1e-10)
     if which == "crowned":
-        assert at.curvature[0] == pytest.approx(worn.curvature[0], rel=1e-4, abs=1e-8)
+        assert at.curvature[0] == pytest.approx(worn.curvature[0], rel=3e-4, abs=1e-6)
         assert np.all(at.curvature[0] < np.asarray(wearing.machine.contacts.crown_curvature) + 1e-12)
 
 
