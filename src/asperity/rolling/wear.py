@@ -28,9 +28,10 @@ from asperity.rolling.wear_rates import Wearing, WearLoad, WearState, Worn, side
 from asperity.types import Document
 from asperity.units import format_quantity
 
-#: Points of the course of wear, evenly over the time, and those at which the torque capacity is looked for.
-POINTS = 41
-CAPACITY_POINTS = 9
+#: Points of the course of wear, evenly over the time, and those of them at which the torque capacity is looked for.
+POINTS, CAPACITY_POINTS = 33, 9
+#: Further points, where creep rises steeply: time from the end of each stage over that of the stage.
+_NEAR_THE_END = np.array([0.015, 0.008, 0.003, 1e-3, 2e-4])
 
 
 class WearNow(NamedTuple):
@@ -233,9 +234,13 @@ def _over_time(
 ) -> WearOverTime:
     """The joint over wear coefficient times time, to the last end."""
     last = course.stages[-1].coefficient_time[-1]
-    further = [stage.coefficient_time[-1] for stage in course.stages[:-1]]
-    further += [] if also is None or also > last else [also]
-    times = np.unique(np.concatenate([np.linspace(0.0, last, POINTS), further]))
+    spans = [(stage.coefficient_time[0], stage.coefficient_time[-1]) for stage in course.stages]
+    further = [end - (end - begin) * np.append(_NEAR_THE_END, 0.0) for begin, end in spans]
+    times = np.unique(
+        np.concatenate(
+            [np.linspace(0.0, last, POINTS), *further, [] if also is None or also > last else [also]]
+        )
+    )
     parts: list[tuple[np.ndarray, ...]] = []
     worn: list[Worn] = []
     first = 0.0
@@ -263,7 +268,7 @@ def _over_time(
         depth=by_track(wearing.machine.drive, depth),
         drift=drift,
         size_drift=np.array([size_drift(wearing.machine.drive, each) for each in depth]),
-        capacity=_capacity(wearing, loads, all_worn, course)
+        capacity=_capacity(wearing, loads, all_worn, course, times)
         if with_capacity
         else np.full(len(times), np.nan),
     )
@@ -311,11 +316,13 @@ def size_drift(drive: Drive, depth: np.ndarray) -> float:
     return -2.0 * math.pi * (after - before) / after
 
 
-def _capacity(wearing: Wearing, loads: WearLoad, worn: Worn, course: WornCourse) -> np.ndarray:
+def _capacity(
+    wearing: Wearing, loads: WearLoad, worn: Worn, course: WornCourse, times: np.ndarray
+) -> np.ndarray:
     """Torques at which the first contact slides in rolling, at some states of wear and nan at the others [N·m]."""
-    count = len(worn.interference)
-    chosen = np.unique(np.linspace(0, count - 1, min(CAPACITY_POINTS, count)).astype(int))
-    found = np.full(count, np.nan)
+    even = np.linspace(0.0, times[-1], CAPACITY_POINTS)
+    chosen = np.unique([int(np.argmin(np.abs(times - time))) for time in even])
+    found = np.full(times.size, np.nan)
     slides = next((end for end in course.ends if end.kind == "gross_slip"), None)
     if slides is None or wearing.machine.joint.cam is not None:
         return found

@@ -11,6 +11,7 @@ from asperity.errors import InputError
 from asperity.results.wear_document import WearOverLife
 from asperity.show.style import ACCENT, INK, MARK, MUTED, STYLE
 from asperity.types import Document
+from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -121,10 +122,10 @@ def _mark_ends(panels: np.ndarray, found: WearOverLife) -> None:
         if end is not None:
             contact = f" ({found.wear.contact_names[end.contact]})" if end.contact >= 0 else ""
             at = end.coefficient_time * scale
-            marks.append((at, f"{words}{contact}: {at:.4g} {unit}", MARK))
+            marks.append((at, f"{words}{contact}: {format_quantity(at, '1')} {unit}", MARK))
     life = found.life_time
     if life is not None and life * scale <= panels[0].get_xlim()[1]:
-        marks.append((life * scale, f"required life: {life * scale:.4g} {unit}", INK))
+        marks.append((life * scale, f"required life: {format_quantity(life * scale, '1')} {unit}", INK))
     first = min((at for at, _, _ in marks), default=0.0)
     for row, (at, words, colour) in enumerate(sorted(marks, reverse=True)):
         for axes in panels:
