@@ -11,10 +11,10 @@ from asperity.joint.solve import joint_state
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.rolling import wear_course
-from asperity.rolling.wear import at_times, unworn
+from asperity.rolling.wear import at_times
 from asperity.rolling.wear_capacity import capacities
 from asperity.rolling.wear_course import states_at, worn_course
-from asperity.rolling.wear_rates import WearLoad, Worn, felt_interference
+from asperity.rolling.wear_rates import WearLoad, Worn, felt_interference, unworn
 
 #: Torques [N·m] → interference where the first contact slides [µm] and k t [s/Pa]; the same where nothing is left.
 ENDS = {

@@ -13,9 +13,16 @@ from asperity.joint.capacity import loading
 from asperity.joint.solve import joint_state
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case, read_case
-from asperity.rolling.wear import by_track, track_names, unworn
+from asperity.rolling.wear import by_track, track_names
 from asperity.rolling.wear_course import states_at
-from asperity.rolling.wear_rates import Worn, felt_interference, side_tracks, worn_assembled, worn_machine
+from asperity.rolling.wear_rates import (
+    Worn,
+    felt_interference,
+    side_tracks,
+    unworn,
+    worn_assembled,
+    worn_machine,
+)
 
 #: µm in 1000 h with 1e-17 1/Pa.
 _PER_1000_H = 1e-17 * 3.6e6 * 1e6

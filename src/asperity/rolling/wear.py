@@ -24,7 +24,7 @@ from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import kind_words
 from asperity.rolling.wear_capacity import capacities
 from asperity.rolling.wear_course import WearEnd, WearStage, WornCourse, states_at, worn_course
-from asperity.rolling.wear_rates import Wearing, WearLoad, WearState, Worn, side_tracks
+from asperity.rolling.wear_rates import Wearing, WearLoad, WearState, Worn, side_tracks, unworn
 from asperity.types import Document
 from asperity.units import format_quantity
 
@@ -150,12 +150,6 @@ def wear_loads(joint: Joint) -> WearLoad:
 def without_duty(joint: Joint) -> Joint:
     """The same joint without loads of a duty."""
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
-
-
-def unworn(wearing: Wearing) -> Worn:
-    """A state without wear, shape (1, contacts)."""
-    nothing = np.zeros((1, len(wearing.machine.drive.contacts)))
-    return Worn(nothing, None if wearing.machine.contacts.crown_curvature is None else nothing)
 
 
 def track_names(drive: Drive) -> tuple[str, ...]:

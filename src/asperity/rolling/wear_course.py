@@ -28,6 +28,7 @@ from asperity.rolling.wear_rates import (
     Worn,
     felt_interference,
     others_carry,
+    unworn,
     wear_state,
 )
 
@@ -114,7 +115,7 @@ def worn_course(wearing: Wearing, loads: WearLoad) -> WornCourse:
 
     The first state carries them. ``loads`` of shape (loads,), no contact sliding.
     """
-    lost, state = 0.0, _unworn(wearing)
+    lost, state = 0.0, unworn(wearing)
     time, depth = 0.0, np.zeros((2, len(wearing.machine.drive.contacts)))
     stages: list[WearStage] = []
     ends: list[WearEnd] = []
@@ -163,12 +164,6 @@ class _Start(NamedTuple):
     time: float
     depth: np.ndarray
     state: WearState
-
-
-def _unworn(wearing: Wearing) -> Worn:
-    """A state without wear, shape (1, contacts)."""
-    nothing = np.zeros((1, len(wearing.machine.drive.contacts)))
-    return Worn(nothing, None if wearing.machine.contacts.crown_curvature is None else nothing)
 
 
 def _further(wearing: Wearing, worn: Worn, loads: WearLoad, left: float) -> WearState:

@@ -107,6 +107,12 @@ class Wearing(Module):
     coefficients: Number
 
 
+def unworn(wearing: Wearing) -> Worn:
+    """A state without wear, shape (1, contacts)."""
+    nothing = np.zeros((1, len(wearing.machine.drive.contacts)))
+    return Worn(nothing, None if wearing.machine.contacts.crown_curvature is None else nothing)
+
+
 def worn_machine(machine: JointMachine, worn: Worn) -> JointMachine:
     """The machine that a worn joint is: its contacts with less interference, its crowns flatter."""
     joint, contacts = machine.joint, machine.contacts
