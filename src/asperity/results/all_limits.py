@@ -16,8 +16,8 @@ from asperity.results.film_bands import film_band
 from asperity.results.limit_check import LimitCheck, checked_limits
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
-from asperity.rolling.accuracy import Accuracy
 from asperity.results.wear_limits import wear_checks
+from asperity.rolling.accuracy import Accuracy
 from asperity.rolling.conditions import DutyPoint
 from asperity.rolling.document import no_duty_factor_because, no_factor_because
 from asperity.types import Array
