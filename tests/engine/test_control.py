@@ -520,8 +520,22 @@ def test_within_a_program_the_door_is_open():
 def test_a_number_that_xla_computes_once():
     x = np.ones(2)
     assert once(x) is x
-    text = jax.jit(lambda x: 2.0 * once(x)).lower(1.0).as_text()
-    assert "optimization_barrier" in text
+    values = {"x": np.array([0.0, -1.5, np.inf, np.nan]), "y": jnp.array([0.0, -1.5, jnp.inf, jnp.nan])}
+    np.testing.assert_array_equal(once(values)["y"], values["y"])
+    assert once(values)["x"] is values["x"]
+    assert float(jax.grad(lambda x: once(3.0 * x))(2.0)) == 3.0
+
+    def two_uses(keep):
+        """Negations in a program of two loops over different places, of a number that takes one."""
+
+        def values(x, one, other):
+            number = keep(-x * x)
+            return number[:, None] * one, number[:, None] * other
+
+        arguments = np.ones(500), np.ones((500, 16)), np.ones((500, 17))
+        return jax.jit(values).lower(*arguments).compile().as_text().count(" negate(")
+
+    assert (two_uses(once), two_uses(lambda number: number)) == (1, 2)
 
 
 def test_a_function_that_is_traced_once():

@@ -13,6 +13,7 @@ from asperity.engine.derivatives import (
     jacobian,
     linearised,
     slopes_apart,
+    value_and_partial_slopes,
     value_and_slope,
     value_and_slopes,
     with_rule,
@@ -70,6 +71,18 @@ def test_numbers_of_jax_among_the_directions_or_the_numbers():
         assert (float(value), float(slope)) == (4.0, 12.0)
         assert is_of_jax(slope)
         assert float(value_and_slopes(lambda x: x * x, at, [along])[1][0]) == 12.0
+
+
+@pytest.mark.parametrize("engine", [np, jnp])
+def test_slopes_by_each_of_several_arrays(engine):
+    x, y = engine.asarray([1.0, -2.0]), engine.asarray([3.0, 0.5])
+    value, slopes = value_and_partial_slopes(
+        lambda x, y: {"product": x * x * y, "sum": x + xp.exp(y)}, (x, y)
+    )
+    np.testing.assert_allclose(value["product"], [3.0, 2.0], rtol=1e-15)
+    for slope, product, total in zip(slopes, ([6.0, -2.0], [1.0, 4.0]), (1.0, np.exp(y)), strict=True):
+        np.testing.assert_allclose(slope["product"], product, rtol=1e-15)
+        np.testing.assert_allclose(slope["sum"], total + np.zeros(2), rtol=1e-15)
 
 
 def test_counts_and_conditions_are_no_numbers_with_slopes():

@@ -17,8 +17,8 @@ from asperity.contact.creep_law import (
 )
 from asperity.contact.film_traction import MixedContact, even_slip, slip_at_warming
 from asperity.engine.arrays import xp
-from asperity.engine.control import cond, while_loop
-from asperity.engine.derivatives import value_and_slopes, without_slopes
+from asperity.engine.control import while_loop
+from asperity.engine.derivatives import value_and_partial_slopes, without_slopes
 from asperity.types import Array, Real
 
 #: First step back from the creepage limit to the largest traction, and the last, as logarithms; share of the traction
@@ -26,8 +26,6 @@ from asperity.types import Array, Real
 _FIRST_STEP, _FARTHEST, _AT_THE_TOP, _NEAR_THE_TOP = 0.5, -10.0, 1e-7, 2e-5
 #: Share of the traction at the creepage limit below which the largest does not matter [-].
 _WELL_BELOW = 0.99
-#: Repetitions with which the creepage is found at which all of a dry contact would slip.
-_TO_THE_KNEE = 1
 _MOST_STEPS = 120
 
 
@@ -68,7 +66,7 @@ def traction_capacity(
     -------
     Capacity
         The traction may fall beyond: heat thins the film. Derivatives at a fixed creepage, exact at the largest
-        traction.
+        traction; none with ``sought``.
 
     Notes
     -----
@@ -82,56 +80,41 @@ def traction_capacity(
     plain, dry = without_slopes((contact, xp.asarray(layer_factor)))
     nothing = plain.total(0.0 * plain.film_share * plain.half_width)
     limit = xp.log(without_slopes(xp.asarray(creep_limit))) + nothing
-    climb = functools.partial(_climb, plain, dry)
-    at_limit = climb(limit, 0.0)
-
-    def largest() -> Capacity:
-        missing = _AT_THE_TOP if sought is None else _NEAR_THE_TOP
-        creepage = xp.exp(_top(climb, limit, at_limit, missing))
+    climb, cold = functools.partial(_climb, plain, dry), nothing + 0.0 * plain.film_thickness
+    if sought is None:
+        creepage = xp.exp(_top(climb, limit, cold, nothing == 0.0, _AT_THE_TOP).tried)
         found = traction_at_creepage(contact=contact, creepage=creepage, layer_factor=layer_factor)
         return Capacity(found.traction, creepage, creep_limit + nothing)
-
-    def at_warming(logarithm: Array, warming: Array) -> Capacity:
-        """The traction at a creepage, its film as warm under any load."""
-        creepage = xp.exp(logarithm)
-        slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=warming)
-        factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
-        along, _ = slip_forces(contact, creepage, slides, factor)
-        return Capacity(contact.total(along), creepage, creep_limit + nothing)
-
-    def last() -> Capacity:
-        return at_warming(limit, at_limit.warming)
-
-    def at_knee() -> Capacity:
-        factor = at_limit.factor
-        even, warming, before = at_limit.even, at_limit.warming, limit
-        for _ in range(_TO_THE_KNEE):
-            stick = stick_creepage(contact=plain, traction=2.0 * even, elastic_factor=factor)
-            knee = xp.minimum(xp.log(stick), limit)
-            size = slip_size(plain, xp.exp(knee))
-            slides = even_slip(contact=plain, creepage=size, guess=warming * xp.exp(knee - before))
-            even, warming, before = plain.total(slides.force), slides.heated, knee
-        return at_warming(before, warming)
-
-    if sought is None:
-        return largest()
+    at_limit, even, warming, factor = _evenly(plain, dry, limit, 0.0)
+    reached = xp.abs(without_slopes(sought)) > _WELL_BELOW * at_limit
     if roughly:
-        return cond(xp.any(at_limit.slope < 0.0), at_knee, last)
-    reached = xp.abs(without_slopes(sought)) > _WELL_BELOW * at_limit.traction
-    return cond(xp.any(reached & (at_limit.slope < 0.0)), largest, last)
+        knee = xp.log(stick_creepage(contact=plain, traction=2.0 * even, elastic_factor=factor))
+        knee = xp.where(reached, xp.minimum(knee, limit), limit)
+        at_knee, *_ = _evenly(plain, dry, knee, warming * xp.exp(knee - limit))
+        best = at_knee > at_limit
+        knee, at_knee = xp.where(best, knee, limit), xp.where(best, at_knee, at_limit)
+        return Capacity(at_knee, xp.exp(knee), creep_limit + nothing)
+    top = _top(climb, limit, warming, reached, _NEAR_THE_TOP)
+    return Capacity(xp.where(reached, top.traction, at_limit), xp.exp(top.tried), creep_limit + nothing)
+
+
+def _evenly(
+    contact: MixedContact, layer_factor: Array, logarithm: Array, guess: Array | float
+) -> tuple[Array, Array, Array, Array]:
+    """Tractions at a creepage and of rigid bodies [N], warming of the film, sought from a guess [K], and factor f."""
+    creepage = xp.exp(logarithm)
+    slides = even_slip(contact=contact, creepage=slip_size(contact, creepage), guess=guess)
+    factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
+    along, _ = slip_forces(contact, creepage, slides, factor)
+    return contact.total(along), contact.total(slides.force), slides.heated, factor
 
 
 class _Climb(NamedTuple):
-    """Traction, its slope over the logarithm of the creepage, that of rigid bodies [N], and the film's warming [K].
-
-    ``factor``: of elastic layers, of slices where the contacts are sliced [-].
-    """
+    """Traction, its slope over the logarithm of the creepage [N], and the film's warming [K]."""
 
     traction: Array
     slope: Array
-    even: Array
     warming: Array
-    factor: Array
 
 
 def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: Array | float) -> _Climb:
@@ -139,27 +122,25 @@ def _climb(contact: MixedContact, layer_factor: Array, logarithm: Array, guess: 
     size = slip_size(contact, xp.exp(logarithm))
     slides = even_slip(contact=contact, creepage=size, guess=guess)
     warming = slides.heated
-    factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
 
-    def of_slices(x: CreepUnknowns) -> CreepUnknowns:
-        creepage = xp.exp(x.logarithm)
-        slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
-        layers = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
-        along, _ = slip_forces(contact, creepage, slides, layers)
-        return CreepUnknowns(along, x.warming - slides.heated)
+    def of_slices(logarithm: Array, warming: Array) -> CreepUnknowns:
+        creepage = xp.exp(logarithm)
+        slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=warming)
+        factor = elastic_layers_factor(contact=contact, layer_factor=layer_factor, slides=slides)
+        along, _ = slip_forces(contact, creepage, slides, factor)
+        return CreepUnknowns(along, warming - slides.heated)
 
-    one = xp.ones_like(logarithm)
-    directions = [(CreepUnknowns(one, 0.0 * warming),), (CreepUnknowns(0.0 * one, 1.0 + 0.0 * warming),)]
-    value, slopes = value_and_slopes(of_slices, (CreepUnknowns(logarithm, warming),), directions)
+    value, slopes = value_and_partial_slopes(of_slices, (logarithm, warming))
     (by_logarithm, warms_by_it), (by_warming, warms) = slopes
     slope = contact.total(by_logarithm - by_warming * warms_by_it / warms)
-    return _Climb(contact.total(value.logarithm), slope, contact.total(slides.force), warming, factor)
+    return _Climb(contact.total(value.logarithm), slope, warming)
 
 
 class _Top(NamedTuple):
     """Logarithms of creepages before and behind the largest traction, the cube roots of its slopes, the last one tried.
 
-    ``rises`` is 0 while no creepage before it is known. ``left``: share of the traction that may be missing [-].
+    ``rises`` is 0 while no creepage before it is known. ``traction`` there [N], and ``warming`` [K]. ``left``: share of
+    the traction that may be missing [-].
     """
 
     rounds: Array
@@ -168,16 +149,21 @@ class _Top(NamedTuple):
     rises: Array
     falls: Array
     tried: Array
+    traction: Array
     warming: Array
     left: Array
 
 
 def _top(
-    climb: Callable[[Array, Array | float], _Climb], limit: Array, at_limit: _Climb, missing: float
-) -> Array:
-    """Logarithm of the creepage of the largest traction, but for a missing share, or the limit if it rises up to there.
+    climb: Callable[[Array, Array | float], _Climb],
+    limit: Array,
+    warming: Array,
+    wanted: Array,
+    missing: float,
+) -> _Top:
+    """The largest traction where it is wanted, but for a missing share, or that at the limit if it rises up to there.
 
-    Back from the limit by doubled steps until the traction rises, then by chords of the cube roots of the slopes, which
+    From the limit back by doubled steps until the traction rises, then by chords of the cube roots of the slopes, which
     are of unlike size where all of a contact begins to slip; an end that stays counts half (rule of the Illinois).
     """
 
@@ -187,7 +173,7 @@ def _top(
     def improved(state: _Top) -> _Top:
         known = state.rises > 0.0
         chord = (state.low * state.falls - state.high * state.rises) / (state.falls - state.rises)
-        back = limit - _FIRST_STEP * 2.0**state.rounds
+        back = xp.where(state.rounds > 0.0, limit - 0.5 * _FIRST_STEP * 2.0**state.rounds, limit)
         going = state.left > missing
         tried = xp.where(going, xp.where(known, chord, back), state.tried)
         at = climb(tried, state.warming * xp.exp(tried - state.tried))
@@ -204,19 +190,20 @@ def _top(
             rises=xp.where(going, xp.where(up, root, 0.5 * state.rises), state.rises),
             falls=xp.where(going, xp.where(up, 0.5 * state.falls, root), state.falls),
             tried=tried,
+            traction=at.traction,
             warming=at.warming,
             left=xp.where(going, left, state.left),
         )
 
-    falling = at_limit.slope < 0.0
     first = _Top(
         rounds=xp.asarray(0.0),  # a float, which 2 is raised to
         low=limit - 1.0,
         high=limit,
         rises=0.0 * limit,
-        falls=xp.where(falling, xp.cbrt(at_limit.slope), -1.0),
+        falls=0.0 * limit - 1.0,
         tried=limit,
-        warming=at_limit.warming,
-        left=xp.where(falling, abs(at_limit.slope) / at_limit.traction, 0.0),
+        traction=0.0 * limit,
+        warming=warming,
+        left=xp.where(wanted, 1.0, 0.0),
     )
-    return while_loop(unfinished, improved, first).tried
+    return while_loop(unfinished, improved, first)

@@ -15,16 +15,16 @@ from asperity.contact.creep_law import (
     slip_size,
     stick_creepage,
 )
-from asperity.contact.film_traction import MixedContact, slip_at_warming
+from asperity.contact.film_traction import EvenSlip, MixedContact, slip_at_warming
 from asperity.engine.arrays import xp
-from asperity.engine.control import while_loop
-from asperity.engine.derivatives import value_and_slope, value_and_slopes, with_rule, without_slopes
+from asperity.engine.control import once, while_loop
+from asperity.engine.derivatives import value_and_partial_slopes, value_and_slope, with_rule, without_slopes
 from asperity.types import Array
 
 #: Below this share of the capacity creepage is in proportion to the traction [-].
 _LEAST_SHARE = 1e-9
 #: Steps to a creepage, and the last change of its logarithm and of the film's warming [K], whose square is left.
-_MOST_STEPS, _SMALL_STEP = 120, 1e-9
+_MOST_STEPS, _SMALL_STEP = 120, 1e-6
 #: By what share of the traction its first order in an error of the warming may be off, over its square [1/K^2].
 _SECOND_ORDER = 1e-3
 
@@ -56,12 +56,10 @@ def creepage_at_traction(
     Equation (F5) of :doc:`/equations`.
     """
     size = xp.abs(traction)
-    near = NEAR_CAPACITY * capacity.traction
-    held = xp.minimum(xp.maximum(size, _LEAST_SHARE * capacity.traction), near)
-    # nothing slips where all sticks, and no contact creeps less
-    least = xp.log(stick_creepage(contact=contact, traction=held, elastic_factor=xp.ones_like(held)))
-    most = xp.log(capacity.creepage)
-    logarithm, steepness = _root(contact, held, layer, least, most)
+    # to first order nothing depends on where the law ends, as the tangents go on beyond
+    most = without_slopes(capacity.traction)
+    held = xp.minimum(xp.maximum(size, _LEAST_SHARE * most), NEAR_CAPACITY * most)
+    logarithm, steepness = _root(_Known(contact, held, layer), most, without_slopes(capacity.creepage))
     creepage = xp.exp(logarithm)
     beyond = without_slopes(creepage / (held * steepness)) * (size - held)
     return xp.where(
@@ -82,7 +80,7 @@ def _of_slices(known: _Known, x: CreepUnknowns) -> CreepUnknowns:
     contact, creepage = known.contact, xp.exp(x.logarithm)
     slides = slip_at_warming(contact=contact, creepage=slip_size(contact, creepage), warming=x.warming)
     used = xp.minimum(known.traction / contact.total(slides.force), NEAR_CAPACITY)
-    factor = elastic_layers_factor(contact=contact, layer_factor=known.layer(used), slides=slides)
+    factor = once(elastic_layers_factor(contact=contact, layer_factor=known.layer(used), slides=slides))
     along, _ = slip_forces(contact, creepage, slides, factor)
     return CreepUnknowns(along / known.traction, x.warming - slides.heated)
 
@@ -99,24 +97,48 @@ class _Search(NamedTuple):
     steepness: Array
 
 
-def _root(
-    contact: MixedContact, traction: Array, layer: LayerFactor, least: Array, most: Array
-) -> tuple[Array, Array]:
-    """Logarithm of the creepage under a traction, and the slope of the traction's logarithm over it without slopes."""
-    known = _Known(contact, traction, layer)
-    fixed, low, high = without_slopes((known, least, most))
-    nothing = xp.zeros_like(low)
-    cold = nothing + 0.0 * fixed.contact.film_thickness
+def _root(known: _Known, capacity: Array, limit: Array) -> tuple[Array, Array]:
+    """Logarithm of the creepage under a traction, and the slope of the traction's logarithm over it without slopes.
+
+    ``capacity``: the largest traction [N], at the creepage ``limit`` [-].
+    """
+    fixed = without_slopes(known)
+    contact, traction = fixed.contact, fixed.traction
+    nothing = xp.zeros_like(traction)
+    # nothing slips where all sticks, and no contact creeps less
+    low = xp.log(stick_creepage(contact=contact, traction=traction, elastic_factor=nothing + 1.0))
+    high = xp.log(limit)
+    cold = nothing + 0.0 * contact.film_thickness
+    slides = slip_at_warming(contact=contact, creepage=slip_size(contact, limit), warming=cold)
+    start = xp.log(_of_friction_alone(fixed, capacity, slides))
 
     def unfinished(state: _Search) -> Array:
         return (state.rounds < _MOST_STEPS) & xp.any(state.step > _SMALL_STEP)
 
     first = _Search(
-        xp.asarray(0), CreepUnknowns(low, cold), low, high, 2.0 * (high - low), nothing + 1.0, nothing
+        rounds=xp.asarray(0),
+        x=CreepUnknowns(xp.clip(start, low, high), cold),
+        low=low,
+        high=high,
+        before=2.0 * (high - low),
+        step=nothing + 1.0,
+        steepness=nothing,
     )
     found = while_loop(unfinished, functools.partial(_nearer, fixed), first)
     root = _known_root(found.x, known)
     return xp.where(found.step <= _SMALL_STEP, root.logarithm, xp.nan), found.steepness
+
+
+def _of_friction_alone(known: _Known, capacity: Array, slides: EvenSlip) -> Array:
+    """Creepage if the traction of rigid bodies were the largest at any creepage: Carter's over the layers [-].
+
+    ``slides``: as the layers are taken, where rigid bodies slip most.
+    """
+    contact = known.contact
+    layer = known.layer(NEAR_CAPACITY + xp.zeros_like(capacity))
+    factor = elastic_layers_factor(contact=contact, layer_factor=layer, slides=slides)
+    most = 2.0 * capacity * (1.0 - xp.sqrt(1.0 - known.traction / capacity))
+    return stick_creepage(contact=contact, traction=most, elastic_factor=factor)
 
 
 @with_rule
@@ -142,9 +164,7 @@ def _known_root_jvp(
 
 def _slopes(known: _Known, x: CreepUnknowns) -> tuple[CreepUnknowns, list[CreepUnknowns]]:
     """Shares of the slices and misfits of their warmings, and their slopes by both unknowns."""
-    one, none = xp.ones_like(x.logarithm), xp.zeros_like(x.logarithm)
-    directions = [(CreepUnknowns(one, 0.0 * x.warming),), (CreepUnknowns(none, 1.0 + 0.0 * x.warming),)]
-    return value_and_slopes(functools.partial(_of_slices, known), (x,), directions)
+    return value_and_partial_slopes(lambda *unknowns: _of_slices(known, CreepUnknowns(*unknowns)), x)
 
 
 def _nearer(known: _Known, state: _Search) -> _Search:
@@ -154,8 +174,9 @@ def _nearer(known: _Known, state: _Search) -> _Search:
     (by_logarithm, warms_by_it), (by_warming, warms) = slopes
     colder = value.warming / warms
     # at the warming that the heat makes, to first order
-    misfit = total(value.logarithm - by_warming * colder) - 1.0
-    steepness = total(by_logarithm - by_warming * warms_by_it / warms)
+    share = xp.maximum(total(value.logarithm - by_warming * colder), _LEAST_SHARE)
+    misfit = xp.log(share)
+    steepness = total(by_logarithm - by_warming * warms_by_it / warms) / share
     apart = total(abs(colder))
     told = abs(misfit) >= _SECOND_ORDER * apart**2
     low = xp.where(told & (misfit < 0.0), x.logarithm, state.low)

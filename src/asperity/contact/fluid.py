@@ -8,6 +8,8 @@ from typing import Literal
 from asperity.contact.measured_traction import MeasuredTraction, TractionTable
 from asperity.contact.viscosity import Viscosity
 from asperity.engine.arrays import xp
+from asperity.engine.control import once
+from asperity.engine.derivatives import with_rule
 from asperity.engine.module import Module, static
 from asperity.types import Array, Real
 
@@ -123,7 +125,7 @@ class RheologicalTraction(Module):
         temperature, peak = film.temperature, film.peak_pressure
         limit = self.limiting_traction.at(film.pressure, temperature)
         rise = viscosity.logarithmic_rise(film.pressure, temperature)
-        newton = viscosity.base(temperature) * film.slip_speed / film.thickness * xp.exp(rise)
+        newton = once(viscosity.base(temperature) * film.slip_speed / film.thickness) * xp.exp(rise)
         if self.shear_law == "limit":
             viscous, slope = newton, xp.ones_like(newton)
         else:
@@ -231,6 +233,7 @@ def film_slope(*, slope: Real, rig_modulus: Real, rig_peak_pressure: Real) -> Re
     return 1.0 / (1.0 / slope - rig_peak_pressure / rig_modulus)
 
 
+@with_rule
 def smooth_minimum(one: Array, other: Array) -> tuple[Array, Array]:
     r"""The lower one of two stresses, smoothly, :math:`(a^{-8} + b^{-8})^{-1/8}`.
 
@@ -258,3 +261,17 @@ def smooth_minimum(one: Array, other: Array) -> tuple[Array, Array]:
     lower = xp.where(below, one, other)
     stress = lower / xp.sqrt(xp.sqrt(xp.sqrt(1.0 + small)))
     return xp.where(positive, stress, 0.0), xp.where(below, 1.0, small) / (1.0 + small)
+
+
+@smooth_minimum.defjvp
+def _smooth_minimum_jvp(
+    primals: tuple[Array, Array], tangents: tuple[Array, Array]
+) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """By the logarithms a and b of both: the share of a, 1 less it of b; it is a logistic function of 8 (b - a)."""
+    (one, other), (moved, shifted) = primals, tangents
+    stress, share = smooth_minimum(one, other)
+    positive = other > 0.0
+    rest, by_one = 1.0 - share, moved / one
+    by_other = xp.where(positive, shifted / xp.where(positive, other, 1.0), 0.0)
+    slope = stress * (share * by_one + rest * by_other)
+    return (stress, share), (slope, 8.0 * share * rest * (by_other - by_one))

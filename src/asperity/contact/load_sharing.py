@@ -21,7 +21,8 @@ SEPARATION_FACTOR = 1.1
 
 #: Logits of the share between which it is sought: shares of 1e-87 to all but as much.
 _LARGEST_LOGIT = 200.0
-
+#: Relative change of the logit after which Newton's next one, its square, is not taken [-].
+_SMALL_STEP = 1e-6
 
 #: How the load is shared: by the separation of rough surfaces after Persson, or by the rival with the error function.
 SharingLaw = Literal["persson", "erf"]
@@ -131,7 +132,9 @@ def shared_load(
     film = _Film(inlet, xp.where(factor > 0.0, factor, xp.nan), film_law)
     nothing = 0.0 * (mean_pressure + half_width + rms_height)
     ends = nothing - _LARGEST_LOGIT, nothing + _LARGEST_LOGIT
-    logit = elementwise_root(_misfit, (rough, film), *ends, ends[1]) + 0.0 * film.factor
+    start = xp.clip(_logit_apart(rough, film), *ends)
+    logit = elementwise_root(_misfit, (rough, film), *ends, start, small_step=_SMALL_STEP)
+    logit = logit + 0.0 * film.factor
     film_share = xp.exp(-xp.logaddexp(0.0, logit))
     return LoadSharing(xp.exp(-xp.logaddexp(0.0, -logit)), film_share, film.thickness(film_share))
 
@@ -144,10 +147,14 @@ class _Rough(NamedTuple):
     half_width: Real
     stiffness: Real
 
+    @property
+    def log_height(self) -> Array:
+        r"""The logarithm of :math:`\beta E^*/\bar p` [-]."""
+        return xp.log(SEPARATION_FACTOR * math.pi * self.rms_height / self.half_width * self.stiffness)
+
     def separation(self, log_share: Array) -> Array:
         """Of the logarithm of the share of the asperities, which may be too small for a float [m]."""
-        height = xp.log(SEPARATION_FACTOR * math.pi * self.rms_height / self.half_width * self.stiffness)
-        return self.decay_length * xp.logaddexp(0.0, height - log_share)
+        return self.decay_length * xp.logaddexp(0.0, self.log_height - log_share)
 
 
 class _Film(Module):
@@ -160,6 +167,12 @@ class _Film(Module):
     def thickness(self, film_share: Array) -> Array:
         """Of a film that carries a share of the load [m]."""
         return self.factor * central_film_by(law=self.law, inlet=self.inlet, film_share=film_share)
+
+
+def _logit_apart(rough: _Rough, film: _Film) -> Array:
+    """Logarithm of the load of the asperities, over the whole one, as far apart as a film that carries all [-]."""
+    apart = film.thickness(xp.ones_like(rough.stiffness)) / rough.decay_length
+    return rough.log_height - apart - xp.log(-xp.expm1(-apart))
 
 
 def _misfit(both: tuple[_Rough, _Film], logit: Array) -> Array:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from asperity.engine.arrays import xp
+from asperity.engine.control import once
 from asperity.engine.module import Module
 from asperity.types import Array, Real
 
@@ -141,8 +142,8 @@ class RationalPressureRise(Module):
 
     def logarithm(self, pressure: Real, temperature: Real, viscosity: Real) -> Array:
         """ln(eta/eta_0) at a pressure [Pa] and a temperature [K]; the viscosity without pressure does not count."""
-        scale = self.stiffness + self.stiffness_rise * temperature
-        return xp.asarray(pressure / (scale + (self.share + self.share_rise * temperature) * pressure))
+        scale = once(self.stiffness + self.stiffness_rise * temperature)
+        return xp.asarray(pressure / (scale + once(self.share + self.share_rise * temperature) * pressure))
 
 
 class RoelandsPressureRise(Module):
@@ -202,8 +203,8 @@ MINERAL_OIL_RISE = EstimatedPressureRise(10.471e-9 * 1000.0**0.1348, 0.1348)
 
 def _roelands(pressure: Real, coefficient: Real, viscosity: Real) -> Array:
     """ln(eta/eta_0) by Roelands's law of a pressure coefficient [1/Pa]."""
-    height = xp.log(viscosity) + _ROELANDS_LOGARITHM
-    exponent = coefficient / (_ROELANDS_COMPRESSION * height)
+    height = once(xp.log(viscosity) + _ROELANDS_LOGARITHM)
+    exponent = once(coefficient / (_ROELANDS_COMPRESSION * height))
     return height * xp.expm1(exponent * xp.log1p(_ROELANDS_COMPRESSION * pressure))
 
 
@@ -270,8 +271,9 @@ def reciprocal_asymptotic_coefficient(
     :doc:`/equations`.
     """
     pressure = xp.asarray(peak_pressure)
-    thickened = [
-        weight * xp.exp(-viscosity.logarithmic_rise(0.5 * (1.0 + node) * pressure, temperature))
-        for node, weight in zip(_NODES, _WEIGHTS, strict=True)
-    ]
-    return 2.0 / (pressure * sum(thickened))
+    shares, weights = (
+        xp.asarray(column).reshape(-1, *(1 for _ in pressure.shape))
+        for column in (0.5 * (1.0 + _NODES), _WEIGHTS)
+    )
+    thickened = weights * xp.exp(-viscosity.logarithmic_rise(shares * pressure, temperature))
+    return 2.0 / (pressure * thickened.sum(axis=0))

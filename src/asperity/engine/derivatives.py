@@ -60,11 +60,8 @@ def value_and_slopes(
     if uses_jax(primals, directions):
         import jax
 
-        stacked = trees.map(lambda *leaves: jax.numpy.stack(leaves), *directions)
-        value, slopes = jax.vmap(lambda tangents: jax.jvp(function, primals, tangents), out_axes=(None, 0))(
-            stacked
-        )  # all directions in one program, the value once
-        return value, [trees.map(lambda leaf, k=k: leaf[k], slopes) for k in range(len(directions))]
+        value, along = jax.linearize(function, *primals)
+        return value, [along(*direction) for direction in directions]
     with _next_level() as level:
         given = trees.map(
             lambda leaf, *slopes: _with_slopes(leaf, slopes, level),
@@ -72,6 +69,32 @@ def value_and_slopes(
             *directions,
         )
         return _apart(function(*given), level, len(directions))
+
+
+def value_and_partial_slopes(
+    function: Callable[..., Tree], numbers: tuple[Tree, ...]
+) -> tuple[Tree, list[Tree]]:
+    """A function of arrays, element by element, and its slopes by each of them, of the structure of the value.
+
+    Under JAX each slope has a program of its own, in which the other arrays have none.
+    """
+    if not uses_jax(numbers):
+        ones = [xp.ones_like(number) for number in numbers]
+        directions = [
+            tuple(one if j == k else 0.0 * one for j, one in enumerate(ones)) for k in range(len(numbers))
+        ]
+        return value_and_slopes(function, numbers, directions)
+    import jax
+
+    value, slopes = None, []
+    for k, number in enumerate(numbers):
+        value, slope = jax.jvp(
+            lambda one, k=k: function(*numbers[:k], one, *numbers[k + 1 :]),
+            (number,),
+            (xp.ones_like(number),),
+        )
+        slopes.append(slope)
+    return value, slopes
 
 
 def _with_slopes(number: Tree, slopes: tuple[Tree, ...], level: int) -> Tree:

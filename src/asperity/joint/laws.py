@@ -30,7 +30,7 @@ from asperity.joint.description import Joint, places
 from asperity.joint.fit import BodyModel
 from asperity.joint.machine import JointMachine
 from asperity.materials import Material
-from asperity.rolling.creep import CapacityOf, ContactCreep, contact_creep, contact_friction
+from asperity.rolling.creep import CapacityOf, ContactCreep, axial_drag, contact_creep
 from asperity.rolling.film import OiledSurfaces
 from asperity.rolling.power import oil_drag
 from asperity.rolling.surface import effusivity_of, mean_half_width
@@ -142,11 +142,8 @@ def _creep_under(
         bears = xp.where(creep.oiled.turns, creep.oiled.capacity.traction, bears)
     if creep.parallel:
         return Creeping(creepage, bears, xp.zeros_like(normal_force))
-    axial = contact_friction(
-        pairs=contacts.pairs, creep=creep, normal_force=normal_force, creepage=creepage
-    ).axial
-    # half of the work of the axial force on each surface
-    return Creeping(creepage, bears, 0.5 * axial * creep.skew)
+    drag = axial_drag(pairs=contacts.pairs, creep=creep, normal_force=normal_force, creepage=creepage)
+    return Creeping(creepage, bears, drag)
 
 
 def oiled_surfaces(machine: JointMachine) -> OiledSurfaces | None:

@@ -307,6 +307,18 @@ def contact_friction(
     return found
 
 
+def axial_drag(*, pairs: RollerPairs, creep: ContactCreep, normal_force: Array, creepage: Array) -> Array:
+    """Half of the work of the axial forces of skewed contacts over the way rolled, on each surface [N]; (B3)."""
+    friction, width = pairs.friction_coefficient, pairs.half_width(normal_force) / pairs.effective_radius
+    lateral = lateral_slip_ratio(
+        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=creepage
+    )
+    axial = axial_force(friction_coefficient=friction, normal_force=normal_force, lateral_slip_ratio=lateral)
+    if creep.oiled is not None and not creep.parallel:
+        axial = xp.where(creep.oiled.turns, creep.oiled.axial_force(creepage), axial)
+    return xp.asarray(0.5 * axial * creep.skew)
+
+
 def traction_limit(*, pairs: RollerPairs, creep: ContactCreep, normal_force: Array) -> Array:
     """Largest tangential forces of contacts that roll over their normal forces [N], shape (contacts, ...) [-].
 

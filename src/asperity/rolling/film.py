@@ -17,6 +17,7 @@ from asperity.contact.load_sharing import LoadSharing, rival_share, shared_load
 from asperity.contact.viscosity import reciprocal_asymptotic_coefficient
 from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.control import once
 from asperity.engine.module import Module
 from asperity.joint.contacts import JointContacts, rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices
@@ -166,7 +167,7 @@ def oiled_contacts(
         lateral_ratio=1.0 if lateral is None else lateral[1] + like,
         sliced=contacts.crown_curvature is not None,
     )
-    return OiledContacts(contact, rival, xp.asarray(inlet.pressure_coefficient))
+    return once(OiledContacts(contact, rival, xp.asarray(inlet.pressure_coefficient)))
 
 
 def _shares(
