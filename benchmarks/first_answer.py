@@ -30,6 +30,7 @@ JOINTS = (
     "tutorial_joint",
     "zou2025",
     "oil",
+    "heat",
 )
 COMMANDS = ("roll", "windup", "loads", "draw", "crown", "dynamics")
 OPTIONS = {"draw": ("--out", "drawing.svg"), "crown": ("--tilt", "0.5 mrad")}

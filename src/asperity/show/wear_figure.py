@@ -28,7 +28,9 @@ def wear_figure(found: WearOverLife, *, title: str, width: float = 9.0) -> Figur
     """
     if found.wear.course is None:
         raise InputError(
-            "the preload stays, as a cam or a force follows the wear: there is no course to draw; leave out --plot"
+            "the preload stays, as a cam or a force follows the wear, so that there is no course to draw; ask for no "
+            "picture",
+            options=["plot"],
         )
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
