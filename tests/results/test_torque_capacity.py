@@ -18,6 +18,7 @@ from asperity.results.torque_capacity import (
     FOUND_BY_SEARCH,
     JUDGED,
     JUDGED_ROWS,
+    OF_TEMPERATURE,
     JointCapacity,
     capacity_of_direction,
     capacity_words,
@@ -153,7 +154,7 @@ def test_a_bearing_limits_the_torque_but_its_duty_does_not(planar_case):
 def test_every_judged_result_limits_the_capacity_or_says_why_not():
     """A new limit of function or damage is in the capacity without being listed anywhere."""
     judged = {row.name for row in RESULTS.values() if row.limit and row.limit.severity in JUDGED}
-    assert judged == {row.name for row in JUDGED_ROWS} | set(FOUND_BY_SEARCH)
+    assert judged == {row.name for row in JUDGED_ROWS} | set(FOUND_BY_SEARCH) | set(OF_TEMPERATURE)
     assert set(FOUND_BY_SEARCH.values()) <= set(CAPACITY_LIMITS)
 
 

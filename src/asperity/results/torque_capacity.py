@@ -51,6 +51,10 @@ FOUND_BY_SEARCH = {
     "closure_residual": "no_solution",
 }
 
+#: Judged rows about the temperature of the joint: its torque capacity is that at this temperature, and the torque that
+#: has none is found with it (:func:`asperity.joint.heat.steady_torque`).
+OF_TEMPERATURE = ("ambient_reserve",)
+
 #: All other judged rows, of any drive.
 JUDGED_ROWS: tuple[Result, ...] = tuple(
     row
