@@ -22,6 +22,7 @@ from asperity.joint_file.drive_sections import (
 )
 from asperity.joint_file.fluid_entries import FluidEntry, FluidName
 from asperity.joint_file.form_entries import FormEntry
+from asperity.joint_file.heat_refusals import refuse_heat_of_nothing
 from asperity.joint_file.lubricant import refuse_oil
 from asperity.joint_file.material_entries import (
     ContactLawName,
@@ -370,6 +371,8 @@ class Case(WholeFile):
     def _known_expansion(self) -> Self:
         by_interference = self.load.interference is not None or self.housing is not None
         refuse_temperatures(self.temperature, self.heat, by_interference=by_interference)
+        if self.heat is not None:
+            refuse_heat_of_nothing(self.heat, duty=self.duty is not None)
         refuse_temperature(
             self.temperature,
             by_interference=by_interference,
