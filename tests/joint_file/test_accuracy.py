@@ -81,6 +81,17 @@ def test_without_torque():
     assert float(found.forward.transmission_error.worst) * ARCSECONDS == pytest.approx(17.73, rel=0.01)
 
 
+def test_an_input_that_stands_has_no_other_direction():
+    text = check_joint() + '\n[[form]]\npart = "ring"\nharmonics = { 3 = "1 um" }\n'
+    ways = accuracy(text, reverse=True)
+    there, back = (way.components[0].transmission_error for way in (ways.forward, ways.backward))
+    assert abs(there - back) > 0.1 * abs(there)
+    stands = text.replace('sun_speed = "6000 rpm"', 'sun_speed = "0 rpm"')
+    assert stands != text
+    with pytest.raises(InputError, match=r"the input stands .* no other direction"):
+        accuracy(stands, reverse=True)
+
+
 def test_a_turn_is_the_sum_of_the_components():
     stated = """
 [[form]]

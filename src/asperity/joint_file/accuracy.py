@@ -33,8 +33,8 @@ SHORTEST_WAVE = 20.0
 def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
     """What the form errors of a joint file do over a turn of its output, in both directions with ``reverse``.
 
-    An ``InputError`` is raised if the file states no form errors, or such that no part can have, or if the bodies do
-    not fit; a ``NoSolutionError`` if the joint does not roll steadily.
+    An ``InputError`` is raised if the file states no form errors, or such that no part can have, if the bodies do not
+    fit, or with ``reverse`` if the input stands; a ``NoSolutionError`` if the joint does not roll steadily.
     """
     if case.form is None:
         raise InputError(
@@ -42,6 +42,12 @@ def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
             'part = "ring" with runout = "6 um" and harmonics = { 2 = "2 um", 3 = "1 um" }'
         )
     joint, errors, sectors = _whole(case)
+    if reverse and float(joint.input_speed) == 0.0:
+        raise InputError(
+            "the input stands (load.sun_speed is 0), so that there is no other direction; give it the speed of the "
+            "work",
+            options=["reverse"],
+        )
     rolling = rolling_balance_at_once(joint)
     refuse_form(joint, rolling, errors)
     forward = accuracy_of(rolling, errors)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from asperity.types import Document
 from asperity.views.blocks import Block, Figure, Figures, Paragraph, Table
-from asperity.views.numbers import number, quantity, unit_words, words
+from asperity.views.numbers import NONE, number, quantity, unit_words, words
 
 _ARCSECONDS, _ARCMINUTES = 648000.0 / math.pi, 10800.0 / math.pi
 
@@ -29,8 +29,12 @@ def _headline(document: Document) -> Figures:
     found = document["accuracy"]
     error, torque = found["transmission_error_rad"], found["input_torque_Nm"]
     items = [
-        _figure("transmission error", error["worst"], "arcsec", "worst over all phases, to either side"),
-        _figure("transmission error, rms", error["rms"], "arcsec", "root mean square over all phases"),
+        _figure(
+            "transmission error", _rounded(error["worst"]), "arcsec", "worst over all phases, to either side"
+        ),
+        _figure(
+            "transmission error, rms", _rounded(error["rms"]), "arcsec", "root mean square over all phases"
+        ),
         _figure(
             "drift",
             _rounded(found["drift_rad_per_output_turn"]),
@@ -39,7 +43,7 @@ def _headline(document: Document) -> Figures:
         ),
         _figure(
             "input torque",
-            torque["worst"],
+            _rounded(torque["worst"]),
             "mN*m",
             f"by which it swings about {quantity(_rounded(torque['mean']), 'N*m')} at worst",
         ),
@@ -50,9 +54,11 @@ def _headline(document: Document) -> Figures:
         items.append(
             Figure(
                 "turns without a reference",
-                number(turns, digits=3) if turns is not None else "infinite",
+                number(turns, digits=3) if turns is not None else "any number",
                 "",
-                f"of the output, until its drift may have passed {quantity(homing['allowed_rad'], 'arcmin')}",
+                f"of the output, until its drift may have passed {quantity(homing['allowed_rad'], 'arcmin')}"
+                if turns is not None
+                else "the output does not drift",
                 turns,
             )
         )
@@ -77,7 +83,9 @@ def _orders(found: Document) -> Table:
     rows = []
     for group in _groups(found["components"]):
         one = group[0]
-        contact, force = max(one["normal_N"].items(), key=lambda item: float(item[1]))
+        force = max(map(float, one["normal_N"].values()))
+        # the first of those that symmetry makes alike
+        contact = next(name for name, size in one["normal_N"].items() if size >= (1.0 - 1e-6) * force)
         rows.append(
             (
                 words(one["part"]) + _of_sectors(group),
@@ -86,8 +94,8 @@ def _orders(found: Document) -> Table:
                 number(one["order"]),
                 number(_rounded(one["transmission_error_rad"]), _ARCSECONDS),
                 number(_rounded(one["input_torque_Nm"]), 1e3),
-                number(force),
-                words(contact),
+                number(_rounded(force)),
+                words(contact) if _rounded(force) else NONE,
             )
         )
     head = (
@@ -104,7 +112,7 @@ def _orders(found: Document) -> Table:
 
 
 def _rounded(value: float) -> float:
-    """An amplitude, 0 where symmetry leaves no more than rounding errors."""
+    """A number [SI], 0 where symmetry, or no torque, leaves no more than rounding errors."""
     return 0.0 if abs(value) < 1e-12 else value
 
 
@@ -122,11 +130,11 @@ def _contacts(found: Document, title: str) -> Table:
         (
             words(name),
             number(contact["normal_N"]["mean"]),
-            number(contact["normal_N"]["worst"]),
-            number(contact["normal_N"]["rms"]),
-            number(contact["tangential_N"]["mean"]),
-            number(contact["tangential_N"]["worst"]),
-            number(contact["slip_ratio"]["mean"]),
+            number(_rounded(contact["normal_N"]["worst"])),
+            number(_rounded(contact["normal_N"]["rms"])),
+            number(_traction(contact)),
+            number(_rounded(contact["tangential_N"]["worst"])),
+            number(_rounded(contact["slip_ratio"]["mean"])),
             number(contact["slip_ratio"]["mean"] + contact["slip_ratio"]["worst"]),
             "may slip" if contact["may_slip"] else "",
         )
@@ -146,6 +154,11 @@ def _contacts(found: Document, title: str) -> Table:
     return Table(title, head, rows, words=(0, 8))
 
 
+def _traction(contact: Document) -> float:
+    """The steady tangential force of a contact [N], 0 where rounding errors are all of it."""
+    return float(contact["tangential_N"]["mean"]) if _rounded(contact["slip_ratio"]["mean"]) else 0.0
+
+
 def _directions(found: Document) -> Table:
     """Transmission error of each harmonic in both directions, and their difference."""
     both = found["bidirectional_error_rad"]
@@ -153,8 +166,8 @@ def _directions(found: Document) -> Table:
     rows = [
         (
             name,
-            number(one["worst"], _ARCSECONDS),
-            number(one["rms"], _ARCSECONDS),
+            number(_rounded(one["worst"]), _ARCSECONDS),
+            number(_rounded(one["rms"]), _ARCSECONDS),
         )
         for name, one in (
             ("in the direction of the file", found["transmission_error_rad"]),
