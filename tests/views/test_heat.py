@@ -67,10 +67,22 @@ def test_a_drive_that_settles():
     assert found["time constant"][0] == "20 min"
     assert found["cold start, input"][1].endswith("efficiency 80 %")
     assert found["duty, peak"][1] == "beyond the limit of the oil"
-    assert found["duty, load 1 alone"][1] == "runs away if it lasts"
+    assert found["duty, load 1 alone"] == ("–", "none if it lasts: the drive runs away, or slips")
     (figure,) = temperature_figure({"heat": STEADY})
     assert (figure.shown, figure.unit) == ("42.5", "°C")
     assert at_temperature({"heat": STEADY}) == " at 42.5 °C"
+
+
+def test_words_where_there_is_no_number():
+    """A duty without a mean temperature, a joint that does not turn cold, losses that no temperature changes."""
+    none = copy.deepcopy(STEADY)
+    none["duty"] |= {"mean_degC": None, "peak_beyond_oil_limit": False}
+    none["cold_start"] |= {"input_torque_Nm": None, "efficiency": None}
+    none["gain"] = -8.4e-15
+    found = rows({"heat": none})
+    assert found["duty, mean"] == ("–", "none is steady: the drive runs away, or slips")
+    assert found["cold start, input"] == ("–", "none: the input stands, or the drive does not roll there")
+    assert found["thermal gain"][0] == "0"
 
 
 def test_an_unstable_state_is_said():

@@ -77,7 +77,9 @@ def test_an_end_that_is_not_known(found):
         "nothing_left_hours": None,
         "nothing_left_kt_s_per_Pa": None,
     }
-    assert "with skew or oil" in figures(list(wear(document)))["nothing left"].detail
+    shown = figures(list(wear(document)))["nothing left"]
+    assert (shown.shown, shown.unit, shown.si) == ("–", "", None)
+    assert shown.detail.startswith("not known: with skew or oil")
 
 
 def test_what_is_left_out_is_said(found):

@@ -8,6 +8,9 @@ from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Figure, Table
 from asperity.views.numbers import number, percent, quantity
 
+#: Why a load has no steady temperature.
+_NEVER = "the drive runs away, or slips"
+
 
 def temperature_figure(document: Document) -> list[Figure]:
     """The temperature of the rollers, or that there is none; nothing for a joint whose temperature is stated."""
@@ -86,11 +89,16 @@ def _steady(heat: Document) -> list[tuple[str, str, str]]:
             quantity(heat["ambient_reserve_K"], "K"),
             "how much warmer it may become before the drive runs away",
         ),
-        ("thermal gain", number(heat["gain"]), "kelvins more by a kelvin more: below 1 it is stable"),
+        ("thermal gain", number(_gain(heat)), "kelvins more by a kelvin more: below 1 it is stable"),
     ]
     if heat["time_constant_s"] is not None:
         rows.append(("time constant", quantity(heat["time_constant_s"], "min"), "of warming up"))
     return rows
+
+
+def _gain(heat: Document) -> float:
+    """The thermal gain, 0 where losses that do not depend on temperature leave rounding errors of it."""
+    return float(heat["gain"]) if abs(heat["gain"]) > 1e-9 else 0.0
 
 
 def _cold_start(heat: Document) -> list[tuple[str, str, str]]:
@@ -112,7 +120,9 @@ def _cold_start(heat: Document) -> list[tuple[str, str, str]]:
         (
             "cold start, input",
             quantity(cold["input_torque_Nm"], "N*m"),
-            f"torque at full speed under the load; efficiency {percent(cold['efficiency'])}",
+            "none: the input stands, or the drive does not roll there"
+            if cold["input_torque_Nm"] is None
+            else f"torque at full speed under the load; efficiency {percent(cold['efficiency'])}",
         ),
     ]
 
@@ -122,9 +132,9 @@ def _duty(heat: Document) -> list[tuple[str, str, str]]:
     duty = heat["duty"]
     if duty is None:
         return []
-    rows = [
-        ("duty, mean", quantity(duty["mean_degC"], "degC"), "temperature of the rollers at the mean losses")
-    ]
+    mean = duty["mean_degC"]
+    what = "temperature of the rollers at the mean losses"
+    rows = [("duty, mean", quantity(mean, "degC"), what if mean is not None else f"none is steady: {_NEVER}")]
     if duty["peak_beyond_oil_limit"]:
         rows.append(("duty, peak", "–", "beyond the limit of the oil"))
     elif duty["peak_degC"] is not None:
@@ -135,7 +145,7 @@ def _duty(heat: Document) -> list[tuple[str, str, str]]:
         (
             f"duty, load {name} alone",
             quantity(at, "degC"),
-            "if it lasted" if at is not None else "runs away if it lasts",
+            "if it lasted" if at is not None else f"none if it lasts: {_NEVER}",
         )
         for name, at in duty["alone_degC"].items()
     ]

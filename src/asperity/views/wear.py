@@ -44,7 +44,9 @@ def _figures(found: Document) -> Iterator[Figure]:
             continue
         hours, time = found[f"{key}_hours"], found[f"{key}_kt_s_per_Pa"]
         what = _what(found, key)
-        if hours is not None:
+        if time is None:
+            yield Figure(name, NONE, "", what, None)
+        elif hours is not None:
             yield Figure(name, number(hours), "h", what, hours * _HOUR)
         else:
             yield Figure(name, number(time), "s/Pa", f"wear coefficient times time; {what}", time)
