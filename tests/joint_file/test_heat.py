@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.heat import time_constant
+from asperity.joint.heat import duty_temperatures, time_constant
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
@@ -146,6 +146,38 @@ def test_time_constant_by_hand():
     capacity = float(steel.density) * volume * float(steel.specific_heat_capacity)
     expected = 3.0 * (400.0 + capacity) / (1.0 - float(joint.heat.gain))
     assert time_constant(joint) == pytest.approx(expected, rel=1e-9)
+
+
+def test_time_constant_is_the_slower_one_of_rollers_and_housing():
+    """Eigenvalues of both balances of heat, with the slope of the losses at the rollers."""
+    joint = joint_from_case(case_of(STILL + 'heat_capacity = "400 J/K"\nroller_resistance = "2 K/W"'))
+    steel, flow = joint.materials[0], joint.heat.flow
+    volume = math.pi * 5e-3 * (10e-3**2 + 3 * 20e-3**2)
+    rollers = float(steel.density) * volume * float(steel.specific_heat_capacity)
+    slope = float(joint.heat.gain) / 5.0
+    rates = np.array(
+        [
+            [(slope - 1.0 / 2.0) / rollers, 1.0 / 2.0 / rollers],
+            [1.0 / 2.0 / 400.0, -(1.0 / 2.0 + 1.0 / 3.0) / 400.0],
+        ]
+    )
+    assert (float(flow.resistance), float(flow.roller_resistance)) == (3.0, 2.0)
+    assert time_constant(joint) == pytest.approx(-1.0 / np.linalg.eigvals(rates).real.max(), rel=1e-9)
+
+
+def test_loads_of_a_duty_alone_are_joints_with_these_loads():
+    """Each temperature is that at which a joint with this load settles, and the mean lies between them."""
+    duty = "".join(
+        f'\n[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n'
+        for torque, speed, share in ((14.0, 1500.0, 0.25), (4.0, 1000.0, 0.75))
+    )
+    found = duty_temperatures(joint_from_case(case_of(STILL + duty)))
+    for at, torque, speed in zip(found.alone, (14, 4), (1500, 1000), strict=True):
+        changes = [('"10 N*m"', f'"{torque} N*m"'), ('"1500 rpm"', f'"{speed} rpm"')]
+        alone = joint_from_case(case_of(STILL, changes=changes))
+        assert at == pytest.approx(float(alone.heat.roller_temperature), abs=0.01)
+    assert found.alone[1] < found.mean < found.alone[0]
+    assert math.isnan(found.peak)
 
 
 def test_runaway_is_an_answer_with_the_torque_that_settles():

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from asperity.rolling.duty_heat import duty_heat
 from asperity.rolling.heat import HeatFlow
@@ -52,6 +53,28 @@ def test_rollers_of_their_own():
     found = duty_heat(apart, ROLLERS, constant(30.0, 5.0), SHARES, 1.0)
     assert found.alone == pytest.approx((20.0 + 2.5 * 30.0, 20.0 + 2.5 * 5.0), abs=1e-9)
     assert found.peak == pytest.approx(95.0, abs=1e-3)
+
+
+def test_peak_of_rollers_over_their_housing():
+    """Both balances of heat by exponentials of their matrix; the duty repeats from the state after it."""
+    apart = dataclasses.replace(FLOW, roller_resistance=0.5)
+    capacities, slope = np.array([100.0, 300.0]), -0.05
+    rates = (
+        np.array([[slope - 1.0 / 0.5, 1.0 / 0.5], [1.0 / 0.5, -1.0 / 0.5 - 1.0 / 2.0]]) / capacities[:, None]
+    )
+    powers = (30.0, 5.0)
+    steady = [np.linalg.solve(rates, -np.array([power, 0.0]) / capacities) for power in powers]
+    times = SHARES * 600.0
+    one, two = (expm(rates * time) for time in times)
+    # above the ambient: x1 = s1 + one (x0 - s1), x0 = s2 + two (x1 - s2)
+    start = np.linalg.solve(
+        np.eye(2) - two @ one, steady[1] - two @ steady[1] + two @ (steady[0] - one @ steady[0])
+    )
+    course = [
+        steady[0] + expm(rates * time) @ (start - steady[0]) for time in np.linspace(0.0, times[0], 400)
+    ]
+    found = duty_heat(apart, ROLLERS, constant(*powers) + slope * (ROLLERS - 20.0), SHARES, 100.0)
+    assert found.peak == pytest.approx(20.0 + max(state[0] for state in course), abs=1e-4)
 
 
 def test_losses_that_rise_too_fast_have_no_temperature():

@@ -112,18 +112,26 @@ def rollers_heat_capacity(joint: Joint) -> float:
 def time_constant(joint: Joint) -> float:
     r"""Time in which all but a share 1/e of a small departure from the steady temperature has gone [s].
 
-    .. math:: \tau = \frac{(C_h + C_r)\,R_h + C_r R_r}{1 - g}
+    .. math::
+        \tau = \tfrac12\left(s + \sqrt{s^2 - 4p}\right), \qquad
+        s = \frac{C_r (R_h + R_r) + C_h R_h \left(1 - g\,\frac{R_r}{R_h + R_r}\right)}{1 - g}, \qquad
+        p = \frac{C_h C_r R_h R_r}{1 - g}
 
-    Of one joint with a steady temperature; nan where a heat capacity is not known. By the slower of both nodes, as
-    rollers follow their housing sooner than it follows its surroundings.
+    Of one joint with a steady temperature; nan where a heat capacity is not known. The slower one of both nodes, whose
+    time constants have the sum s and the product p; as in a duty, losses are those at the temperature of the rollers.
     """
     heat = joint.heat
     housing = None if heat is None else heat.flow.heat_capacity
     if heat is None or housing is None:
         return math.nan
-    flow, rollers = heat.flow, rollers_heat_capacity(joint)
-    slow = (float(housing) + rollers) * float(flow.resistance) + rollers * float(flow.roller_resistance)
-    return slow / (1.0 - float(heat.gain))
+    flow, rollers, gain = heat.flow, rollers_heat_capacity(joint), float(heat.gain)
+    outward, inward, both = (
+        float(each) for each in (flow.resistance, flow.roller_resistance, flow.to_rollers)
+    )
+    of_housing = float(housing) * outward
+    added = (rollers * both + of_housing * (1.0 - gain * inward / both)) / (1.0 - gain)
+    multiplied = of_housing * rollers * inward / (1.0 - gain)
+    return 0.5 * (added + math.sqrt(added**2 - 4.0 * multiplied))  # (H2)
 
 
 def duty_temperatures(joint: Joint) -> DutyHeat | None:
