@@ -61,15 +61,17 @@ def test_nothing_where_the_temperature_is_stated():
 
 
 def test_a_drive_that_settles():
-    found = rows({"heat": STEADY})
+    film = {"rolling": {"contacts": {"sp": {"film_thickness_m": 2e-7}}}}
+    found = rows({"heat": STEADY} | film)
     assert found["rollers and oil"] == ("42.5 degC", "0.5 K/W to the housing")
     assert found["housing and rings"] == ("40 degC", "3 K/W to 25 degC")
     assert found["time constant"][0] == "20 min"
     assert found["cold start, input"][1].endswith("efficiency 80 %")
     assert found["duty, peak"][1] == "beyond the limit of the oil"
     assert found["duty, load 1 alone"] == ("–", "none if it lasts: the drive runs away, or slips")
-    (figure,) = temperature_figure({"heat": STEADY})
+    (figure,) = temperature_figure({"heat": STEADY} | film)
     assert (figure.shown, figure.unit) == ("42.5", "°C")
+    assert figure.detail.startswith("rollers and oil, steady; 25 degC")
     assert at_temperature({"heat": STEADY}) == " at 42.5 °C"
 
 
@@ -83,6 +85,14 @@ def test_words_where_there_is_no_number():
     assert found["duty, mean"] == ("–", "none is steady: the drive runs away, or slips")
     assert found["cold start, input"] == ("–", "none: the input stands, or the drive does not roll there")
     assert found["thermal gain"][0] == "0"
+
+
+def test_a_dry_drive_has_no_oil():
+    dry = {"heat": STEADY, "rolling": {"contacts": {"sp": {"film_thickness_m": None}}}}
+    assert rows(dry)["rollers"][0] == "42.5 degC"
+    assert "rollers and oil" not in rows(dry)
+    (figure,) = temperature_figure(dry)
+    assert figure.detail.startswith("rollers, steady; 25 degC")
 
 
 def test_an_unstable_state_is_said():

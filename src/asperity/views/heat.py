@@ -19,7 +19,7 @@ def temperature_figure(document: Document) -> list[Figure]:
         return []
     if not heat["steady"]:
         return [Figure("Temperature", "–", "", f"thermal runaway{_still_steady(heat)}", None)]
-    around = f"rollers and oil, steady; {quantity(heat['ambient_degC'], 'degC')} around the housing"
+    around = f"{_rollers(document)}, steady; {quantity(heat['ambient_degC'], 'degC')} around the housing"
     return [
         Figure(
             "Temperature",
@@ -39,6 +39,13 @@ def at_temperature(document: Document) -> str:
     return f" at {number(heat['roller_temperature_degC'])} °C" if heat["steady"] else ", thermal runaway"
 
 
+def _rollers(document: Document) -> str:
+    """What has the temperature of the rollers: with oil in the contacts this, too."""
+    contacts = document.get("rolling", {}).get("contacts", {}).values()
+    oiled = any(contact.get("film_thickness_m") is not None for contact in contacts)
+    return "rollers and oil" if oiled else "rollers"
+
+
 def _still_steady(heat: Document) -> str:
     """The torque that still has a steady temperature, in words."""
     torque = heat["steady_torque_Nm"]
@@ -52,7 +59,7 @@ def heat(document: Document) -> Iterator[Block]:
     stated = document.get("heat")
     if stated is None:
         return
-    rows = [*_steady(stated), *_cold_start(stated), *_duty(stated)]
+    rows = [*_steady(stated, _rollers(document)), *_cold_start(stated), *_duty(stated)]
     yield Table(
         "Heat: temperatures at which the drive settles",
         ("quantity", "value", "what it is"),
@@ -69,8 +76,8 @@ def heat(document: Document) -> Iterator[Block]:
         yield Bullets(others)
 
 
-def _steady(heat: Document) -> list[tuple[str, str, str]]:
-    """What cools the drive, and its steady temperatures."""
+def _steady(heat: Document, rollers: str) -> list[tuple[str, str, str]]:
+    """What cools the drive, and its steady temperatures; ``rollers``: what has that of the rollers."""
     around = quantity(heat["ambient_degC"], "degC")
     outward = quantity(heat["resistance_K_per_W"], "K/W")
     if not heat["steady"]:
@@ -81,7 +88,7 @@ def _steady(heat: Document) -> list[tuple[str, str, str]]:
     inward = heat["roller_resistance_K_per_W"]
     of_rollers = f"{quantity(inward, 'K/W')} to the housing" if inward else "as warm as the housing"
     rows = [
-        ("rollers and oil", quantity(heat["roller_temperature_degC"], "degC"), of_rollers),
+        (rollers, quantity(heat["roller_temperature_degC"], "degC"), of_rollers),
         ("housing and rings", quantity(heat["housing_temperature_degC"], "degC"), f"{outward} to {around}"),
         ("heat", quantity(heat["loss_W"], "W"), "all losses of the joint at these temperatures"),
         (
