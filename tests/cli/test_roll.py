@@ -46,6 +46,7 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert rolling["duty"] == {
         "1": {
             "damage_share": pytest.approx(1.0),
+            "film_ratio": None,
             "life_hours": pytest.approx(found["life_hours"], rel=1e-9),
             "shakedown_ratio": pytest.approx(
                 max(each["shakedown_ratio"] for each in found["rolling"]["contacts"].values())

@@ -7,9 +7,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import solve_ivp
-from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq, root
 
 from asperity.rolling.heat import HeatFlow
 
@@ -80,6 +77,8 @@ def duty_heat(
 
 def _curve(rollers: np.ndarray, losses: np.ndarray) -> Losses:
     """Losses over the temperature up to the first one at which they are not known; nan beyond it."""
+    from scipy.interpolate import CubicSpline  # a joint without a duty starts sooner
+
     known = np.flatnonzero(~np.isfinite(losses))
     count = int(known[0]) if known.size else rollers.size
     if count < 2:
@@ -91,6 +90,7 @@ def _curve(rollers: np.ndarray, losses: np.ndarray) -> Losses:
 
 def _steady(flow: HeatFlow, losses: Losses) -> float:
     """The lowest stable temperature of losses; nan where there is none."""
+    from scipy.optimize import brentq
 
     def excess(at: float) -> float:
         return float(flow.to_rollers) * losses(at) - (at - float(flow.ambient))
@@ -107,6 +107,9 @@ def _peak(
     flow: HeatFlow, losses: list[Losses], times: np.ndarray, rollers_capacity: float, start: float
 ) -> float:
     """The highest temperature of the rollers under loads that repeat; infinite beyond the limit of the oil."""
+    from scipy.integrate import solve_ivp
+    from scipy.optimize import root
+
     ambient, to_housing = float(flow.ambient), float(flow.roller_resistance)
     outward, housing_capacity = float(flow.resistance), float(flow.heat_capacity or 0.0)
     one_node = to_housing == 0.0
