@@ -6,11 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from asperity.engine.control import at_once
+from asperity.joint.description import without_duty
 from asperity.joint.machine import joint_machine
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.wear import wear_of_case
-from asperity.rolling.wear import wear_loads, without_duty
+from asperity.rolling.wear import wear_loads
 from asperity.rolling.wear_rates import Wearing
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

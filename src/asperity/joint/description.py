@@ -339,6 +339,11 @@ def body_masses(joint: Joint) -> list[Real]:
     return [sum(mass for mass, _, _ in cylinders(joint, body)) for body in range(len(joint.shapes))]
 
 
+def without_duty(joint: Joint) -> Joint:
+    """The same joint without loads of a duty."""
+    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
+
+
 def in_motion(joint: Joint) -> Joint:
     """A joint whose drive knows its matrices, speeds and angles.
 

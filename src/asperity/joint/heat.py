@@ -10,7 +10,7 @@ import numpy as np
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import assembled
-from asperity.joint.description import Joint, body_masses
+from asperity.joint.description import Joint, body_masses, without_duty
 from asperity.joint.machine import joint_machine
 from asperity.joint.temperature import at_temperatures
 from asperity.rolling.duty_heat import DutyHeat, duty_heat
@@ -30,27 +30,6 @@ def heat_made(joint: Joint) -> Array:
     return xp.where(speed == 0.0, 0.0, rolling.power.loss)
 
 
-def losses_at(joint: Joint, torque: np.ndarray, speed: np.ndarray, rollers: np.ndarray) -> np.ndarray:
-    """Losses of one joint that knows what cools it, of arrays of one shape (n,) [W].
-
-    Under output torques [N·m], at speeds of the input [rad/s] and steady temperatures of the rollers [degC].
-    """
-    numbers = without_duty(as_numbers(joint))
-    flow = _flow(numbers)
-
-    def one(torque: Array, speed: Array, rollers: Array) -> Array:
-        warm = at_temperatures(numbers, housing=flow.housing_at(rollers), rollers=rollers)
-        return heat_made(dataclasses.replace(warm, output_torque=torque, input_speed=speed))
-
-    found: np.ndarray = np.asarray(at_once(vectorised(one), torque, speed, rollers))
-    return found
-
-
-def without_duty(joint: Joint) -> Joint:
-    """The same joint without loads of a duty."""
-    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
-
-
 def _flow(joint: Joint) -> HeatFlow:
     """What cools a joint."""
     assert joint.heat is not None, "the joint knows what cools it"
@@ -62,11 +41,17 @@ def _over_temperature(joint: Joint, torque: np.ndarray, speed: np.ndarray) -> tu
 
     Shape (loads, temperatures).
     """
-    flow = _flow(joint)
+    numbers: Joint = as_numbers(without_duty(joint))
+    flow = _flow(numbers)
+
+    def one(torque: Array, speed: Array, rollers: Array) -> Array:
+        warm = at_temperatures(numbers, housing=flow.housing_at(rollers), rollers=rollers)
+        return heat_made(dataclasses.replace(warm, output_torque=torque, input_speed=speed))
+
     rollers = np.linspace(float(flow.ambient), float(flow.oil_limit), _TEMPERATURES)
     loads = np.repeat(np.arange(torque.size), rollers.size)
-    found = losses_at(joint, torque[loads], speed[loads], np.tile(rollers, torque.size))
-    return rollers, found.reshape(torque.size, rollers.size)
+    found = at_once(vectorised(one), torque[loads], speed[loads], np.tile(rollers, torque.size))
+    return rollers, np.asarray(found).reshape(torque.size, rollers.size)
 
 
 def steady_torque(joint: Joint, largest: float) -> float:
@@ -74,7 +59,7 @@ def steady_torque(joint: Joint, largest: float) -> float:
 
     At the joint's speed, without its sign, to half a per cent of the ``largest``, which has none; nan where none has.
     """
-    numbers = without_duty(as_numbers(joint))
+    numbers: Joint = as_numbers(without_duty(joint))
     flow, way = _flow(numbers), -1.0 if float(joint.output_torque) < 0.0 else 1.0
 
     def settles(torque: float) -> bool:

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import joint_state
 from asperity.library.tolerance_grades import LARGEST_SIZE, standard_tolerances
@@ -45,7 +45,10 @@ def clearance_interval(joint: Joint, result: JointResult) -> Document | None:
         return None
     most = largest_clearance(diameter)
     clearances: list[Document] = [{"pin_clearance": np.asarray(share * most)} for share in _SHARES]
-    results = [result, *(joint_state(dataclasses.replace(joint, **change)) for change in clearances)]
+    results = [
+        result,
+        *(joint_state(dataclasses.replace(without_duty(joint), **change)) for change in clearances),
+    ]
     values = [float(each.assembly.stiffness.output) for each in results if bool(each.solved)]
     known = len(values) == len(results) and all(math.isfinite(value) for value in values)
     low, high = (min(values), max(values)) if known else (None, None)

@@ -11,7 +11,7 @@ from asperity.contact.laws.law import ContactLaw
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import entries, stacked, vectorised
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.solve import joint_state
 from asperity.types import Document
@@ -21,8 +21,11 @@ _FEW = 50
 
 
 def over_surfaces(joint: Joint, surfaces: tuple[ContactLaw, ...], *, shape: tuple[int, ...]) -> JointResult:
-    """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis."""
-    numbers = as_numbers(dataclasses.replace(joint, surfaces=()))
+    """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis.
+
+    Without its duty, of which nobody asks.
+    """
+    numbers = as_numbers(dataclasses.replace(without_duty(joint), surfaces=()))
     samples = trees.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
     if shape[0] > _FEW:
         return _by_program(numbers, samples)

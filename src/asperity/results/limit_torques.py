@@ -18,7 +18,7 @@ from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.capacity import first_guess, loading
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.evaluation import joint_result, states_under_torque
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.machine import JointMachine, joint_machine
@@ -36,7 +36,6 @@ from asperity.results.torque_capacity import (
     excesses_of_rows,
     only_in_rolling,
     place_names,
-    without_duty,
 )
 from asperity.types import Array
 

@@ -30,6 +30,7 @@ from asperity.joint.description import (
     joint_contacts,
     pin_names,
     tracks_of,
+    without_duty,
 )
 from asperity.joint.evaluation import JointResult, evaluated_with_laws
 from asperity.joint.housing import Seats, seated, seats
@@ -215,12 +216,12 @@ class SolvedJoint:
 
     @functools.cached_property
     def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
-        """The joint under each load of its duty, and its result."""
+        """The joint under each load of its duty alone, and its result."""
         numbers: Joint = as_numbers(self.joint)
         states = []
         for point in numbers.rolling.duty:
             joint = dataclasses.replace(
-                numbers, output_torque=point.output_torque, input_speed=point.input_speed
+                without_duty(numbers), output_torque=point.output_torque, input_speed=point.input_speed
             )
             states.append((joint, joint_state(joint)))
         return tuple(states)
@@ -235,10 +236,10 @@ class SolvedJoint:
         return None if heated is None else solution_of(heated)
 
     def _heated(self, temperature: float) -> Joint | None:
-        """The joint at another working temperature [degC]; None where a branch is loose there."""
+        """The joint at another working temperature [degC], without its duty; None where a branch is loose there."""
         if self.branches is None:
-            return at_temperature(self.joint, temperature)
-        equal = at_temperature(self.branches.equal, temperature)
+            return at_temperature(without_duty(self.joint), temperature)
+        equal = at_temperature(without_duty(self.branches.equal), temperature)
         try:
             return assembled_branches(equal, self.branches.sizes).joint
         except (InputError, NoSolutionError):
@@ -254,7 +255,7 @@ class SolvedJoint:
         if "solution" in vars(self):
             joint = self._heated(float(start))
             return None if joint is None else solved_with_capacities(joint, solution_of(joint))
-        joint = at_temperatures(self.joint, housing=start, rollers=start)
+        joint = at_temperatures(without_duty(self.joint), housing=start, rollers=start)
         return SolvedJoint(joint, *evaluated_with_laws(joint))
 
     @functools.cached_property

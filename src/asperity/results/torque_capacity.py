@@ -6,7 +6,6 @@ the tables of results that is judged as function or damage: a new row of that ki
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 import math
 from collections.abc import Iterable
@@ -30,11 +29,11 @@ from asperity.engine.control import at_once, map_over, traced_once
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import UnderTorque, first_guess, limits_of, loading
-from asperity.joint.description import Joint
+from asperity.joint.description import without_duty
 from asperity.joint.evaluation import joint_result
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, kind_words
-from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
+from asperity.results import contact_rows, heat_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.notes import Severity
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
@@ -58,9 +57,11 @@ OF_TEMPERATURE = ("ambient_reserve",)
 #: All other judged rows, of any drive.
 JUDGED_ROWS: tuple[Result, ...] = tuple(
     row
-    for rows in (stiffness_rows, contact_rows, limit_rows, rolling_rows, load_rows)
+    for rows in (stiffness_rows, contact_rows, limit_rows, rolling_rows, heat_rows, load_rows)
     for row in rows.ROWS
-    if row.limit is not None and row.limit.severity in JUDGED and row.name not in FOUND_BY_SEARCH
+    if row.limit is not None
+    and row.limit.severity in JUDGED
+    and row.name not in (*FOUND_BY_SEARCH, *OF_TEMPERATURE)
 )
 
 #: What a limit of the search is called where it is reached in rolling.
@@ -195,11 +196,6 @@ def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[LimitEntry]) ->
     names, places = zip(nothing, *entries, strict=True)
     codes = [CAPACITY_LIMITS.index(name) for name in names]
     return JointCapacity(limit.value, entry_of(codes, 1 + limit.which), entry_of(places, 1 + limit.which))
-
-
-def without_duty(joint: Joint) -> Joint:
-    """The same joint without loads of a duty."""
-    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
 
 
 def _of_numbers(solved: SolvedJoint) -> JointCapacity:

@@ -29,7 +29,7 @@ from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once
 from asperity.errors import NoSolutionError
 from asperity.joint.assembled import assembled
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.laws import creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.machine import joint_machine
@@ -160,9 +160,7 @@ def rolling_balance_of(
 
 def rolling_balance_at_once(joint: Joint, *, backwards: bool = False) -> RollingBalance:
     """The same for a joint of numbers; raises NoSolutionError if it does not roll."""
-    numbers: Joint = as_numbers(
-        dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
-    )
+    numbers: Joint = as_numbers(without_duty(joint))
     rolling: RollingBalance = at_once(functools.partial(rolling_balance_of, backwards=backwards), numbers)
     if not float(rolling.state.residual) < ROLLING_TOLERANCE:
         raise NoSolutionError(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import Any, NamedTuple
 
@@ -13,7 +12,7 @@ from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import creep_law
 from asperity.joint.machine import joint_machine
@@ -55,8 +54,7 @@ def rolling_curves(
     From 0 to the torque capacity [N·m], or to twice the joint's torque if it is infinite or nan; speeds up to 1.5 times
     the joint's.
     """
-    numbers: Joint = as_numbers(joint)
-    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
+    numbers: Joint = as_numbers(without_duty(joint))
     output_torque, speed = float(numbers.output_torque), float(numbers.input_speed)
     limited = math.isfinite(torque_capacity)
     towards = np.linspace(0.0, 1.0, _TORQUES)

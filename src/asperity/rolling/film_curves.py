@@ -11,7 +11,7 @@ import numpy as np
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import Pressed
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.laws import rolling_speeds
 from asperity.joint.machine import joint_machine
 from asperity.rolling.curves import rolling_over_loads
@@ -62,8 +62,7 @@ def film_curves(
     The oil alone has these temperatures; fits and preload stay those of the joint. ``report`` takes the number of
     temperatures done, and of all.
     """
-    numbers: Joint = as_numbers(joint)
-    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
+    numbers: Joint = as_numbers(without_duty(joint))
     found = []
     for done, temperature in enumerate(temperatures, start=1):
         warmed = dataclasses.replace(numbers, rolling=numbers.rolling.with_oil_at(xp.asarray(temperature)))

@@ -116,7 +116,7 @@ class HeatBalance(Module):
 
 
 class _Scan(NamedTuple):
-    """Temperatures [degC], by how many kelvins the losses exceed them there, inf where nothing is steady."""
+    """Temperatures [degC], and excess of the losses over what leaves there [K], inf where the joint does not roll."""
 
     temperature: Array
     excess: Array

@@ -19,7 +19,7 @@ from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.errors import InputError
 from asperity.joint.capacity import limits_of
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import kind_words
 from asperity.rolling.wear_capacity import capacities
@@ -145,11 +145,6 @@ def wear_loads(joint: Joint) -> WearLoad:
     points = [point for point in points if float(point[1]) > 0.0] or points
     torque, speed, share = (np.array([float(point[i]) for point in points]) for i in range(3))
     return WearLoad(torque, speed, share, np.zeros((len(points), len(joint.drive.contacts))))
-
-
-def without_duty(joint: Joint) -> Joint:
-    """The same joint without loads of a duty."""
-    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
 
 
 def track_names(drive: Drive) -> tuple[str, ...]:
