@@ -77,6 +77,16 @@ def test_no_steady_temperature_is_an_answer():
     assert float(found.ambient_reserve) == pytest.approx(0.25 / 0.06 - 24.0, rel=1e-6)
 
 
+def test_why_no_temperature_is_steady():
+    """Losses that do not rise as fast as what leaves only need a hotter oil; others, or a slip, have no end."""
+    assert balance(lambda t: 5.0 + 0.0 * t).unsteady_because == ""
+    hot = balance(lambda t: 40.0 + 0.0 * t)
+    assert hot.unsteady_because == "too hot: it would settle above 120 degC"
+    assert balance(lambda t: 8.0 + 0.02 * (t - 25.0) ** 2).unsteady_because == "thermal runaway"
+    slips = balance(lambda t: xp.where(t > 60.0, xp.nan, 40.0 + 0.0 * t))
+    assert slips.unsteady_because == "thermal runaway"
+
+
 def test_where_the_joint_does_not_roll_nothing_is_steady():
     """No state between 40 and 60 degC: a temperature beyond it is no start for one below."""
     found = balance(lambda t: xp.where((t > 30.0) & (t < 60.0), xp.nan, 5.0 + 0.0 * t))

@@ -12,6 +12,7 @@ STEADY = {
     "roller_resistance_K_per_W": 0.5,
     "oil_limit_degC": 120.0,
     "steady": True,
+    "unsteady_because": None,
     "roller_temperature_degC": 42.5,
     "housing_temperature_degC": 40.0,
     "loss_W": 5.0,
@@ -41,6 +42,7 @@ def runaway():
     found = copy.deepcopy(STEADY)
     found |= {
         "steady": False,
+        "unsteady_because": "thermal runaway",
         "roller_temperature_degC": None,
         "housing_temperature_degC": None,
         "loss_W": None,
@@ -110,6 +112,11 @@ def test_thermal_runaway_says_which_torque_settles(runaway):
     (figure,) = temperature_figure({"heat": runaway})
     assert figure.shown == "–"
     assert at_temperature({"heat": runaway}) == ", thermal runaway"
+
+
+def test_a_drive_that_is_only_too_hot(runaway):
+    runaway["unsteady_because"] = "too hot: it would settle above 120 degC"
+    assert rows({"heat": runaway})["temperature"][1].startswith("too hot: it would settle above 120 degC")
 
 
 def test_thermal_runaway_without_any_torque(runaway):

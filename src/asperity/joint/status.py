@@ -34,7 +34,7 @@ STATUSES: dict[str, str] = {
     "output_stands_still": "the output stands still whatever the input does: the ratio is infinite",
     "pin_too_short": "a roller is longer than the free length of its pin",
     "housing_inside_ring": "the housing lies inside a ring that it holds",
-    "thermal_runaway": "thermal runaway: no temperature of the drive up to the limit of its oil is steady",
+    "thermal_runaway": "no temperature of the drive up to the limit of its oil is steady: thermal runaway, or too hot",
     "no_oil_film": "heat at the inlet of a contact is beyond the range in which its oil film is known",
 }
 

@@ -79,6 +79,7 @@ def joint_film(
         housing_temperature=float(lubricant.temperature)
         if joint.heat is None
         else float(joint.heat.housing_temperature) + ZERO_CELSIUS,
+        unsteady_because="" if joint.heat is None else joint.heat.unsteady_because,
         here=here,
         curves=tuple(curves),
         shear_law=traction.shear_law if isinstance(traction, RheologicalTraction) else None,

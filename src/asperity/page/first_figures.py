@@ -64,4 +64,10 @@ def _heat(heat: HeatBalance | None) -> Document:
     """What the figures say of the temperature at which a joint settles."""
     if heat is None:
         return {}
-    return {"heat": {"steady": bool(heat.is_steady), "roller_temperature_degC": heat.roller_temperature}}
+    return {
+        "heat": {
+            "steady": bool(heat.is_steady),
+            "unsteady_because": heat.unsteady_because or None,
+            "roller_temperature_degC": heat.roller_temperature,
+        }
+    }

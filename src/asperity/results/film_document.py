@@ -34,13 +34,15 @@ class FilmOverSpeed(NamedTuple):
 
     ``here``: at the speed of its file and its temperature, one point; ``curves``: one for each temperature.
     ``lowest_temperature`` of the oil's data [K], None where none is known; ``housing_temperature`` [K]; ``shear_law``
-    of the film, None where a data sheet or a curve states its traction.
+    of the film, None where a data sheet or a curve states its traction. ``unsteady_because``: why the joint has no
+    steady temperature, so that its surroundings' stands for it; empty otherwise.
     """
 
     contact_names: tuple[str, ...]
     output_torque: float
     lowest_temperature: float | None
     housing_temperature: float
+    unsteady_because: str
     here: FilmCurves
     curves: tuple[FilmCurves, ...]
     shear_law: ShearLaw | None
@@ -53,6 +55,7 @@ def film_document(film: FilmOverSpeed) -> Document:
         "oil_temperature_C": _celsius(here.temperature),
         "roller_temperature_C": _celsius(here.temperature),
         "housing_temperature_C": _celsius(film.housing_temperature),
+        "unsteady_because": film.unsteady_because or None,
         "lowest_temperature_C": None
         if film.lowest_temperature is None
         else _celsius(film.lowest_temperature),

@@ -15,8 +15,7 @@ from asperity.types import Document
 def heat_document(solved: SolvedJoint) -> Document:
     """What cools a joint, the losses over its temperature, and its temperatures under its duty.
 
-    The temperatures that rows have wait for them. Of a joint in thermal runaway also the torque that still has a steady
-    temperature.
+    The temperatures that rows have wait for them. Of a joint that has none also why, and the torque that still has one.
     """
     heat = solved.joint.heat
     assert heat is not None
@@ -27,6 +26,7 @@ def heat_document(solved: SolvedJoint) -> Document:
         "roller_resistance_K_per_W": flow.roller_resistance,
         "oil_limit_degC": flow.oil_limit,
         "steady": bool(heat.is_steady),
+        "unsteady_because": heat.unsteady_because or None,
         **in_order("roller_temperature_degC housing_temperature_degC"),
         "loss_W": heat.loss,
         **in_order("gain ambient_reserve_K"),
@@ -52,7 +52,7 @@ def heat_document(solved: SolvedJoint) -> Document:
 
 
 def steady_torque_of(solved: SolvedJoint) -> float | None:
-    """Of a joint in thermal runaway the largest torque with a steady temperature [N·m]; None for a steady one."""
+    """Of a joint without a steady temperature the largest torque that has one [N·m]; None for a steady one."""
     return solved.once(_steady_torque)
 
 

@@ -64,7 +64,7 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def with_pins(row: Result, solved: SolvedJoint) -> Result:
-    """The self-locking ratio with what is known of the pins, thermal runaway with the torque that has none.
+    """The self-locking ratio with what is known of the pins, no steady temperature with why and up to which torque.
 
     Every other row as it is.
 
@@ -96,12 +96,14 @@ def with_pins(row: Result, solved: SolvedJoint) -> Result:
 
 
 def _with_steady_torque(row: Result, solved: SolvedJoint) -> Result:
-    """Thermal runaway with the torque up to which there is none."""
+    """The limit of the temperature with why a joint has no steady one, and the torque up to which it has."""
     torque = steady_torque_of(solved)
     if row.limit is None or torque is None:
         return row
     up_to = "no torque" if math.isnan(torque) else f"torques up to {format_quantity(torque, 'N*m')}"
-    crossed = row.limit.crossed.replace("; all", f"; {up_to} at this speed would settle; all")
+    assert solved.joint.heat is not None
+    crossed = row.limit.crossed.replace("thermal runaway", solved.joint.heat.unsteady_because)
+    crossed = crossed.replace("; all", f"; {up_to} at this speed would settle; all")
     return dataclasses.replace(row, limit=dataclasses.replace(row.limit, crossed=crossed))
 
 

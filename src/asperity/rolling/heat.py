@@ -100,10 +100,28 @@ class HeatBalance(Module):
         rise = (self.roller_temperature - self.flow.ambient) / self.flow.to_rollers
         return xp.where(self.is_steady, rise, xp.nan)
 
+    @property
+    def unsteady_because(self) -> str:
+        """Of one joint: why it has no steady temperature, in a few words; empty where it has one.
+
+        It is too hot where the losses still come nearer to what leaves at the limit of the oil.
+        """
+        if bool(self.is_steady):
+            return ""
+        excess, flow = self._excess(), self.flow
+        nearer = bool(excess[-1] < excess[-2]) and bool(np.all(np.isfinite(excess)))
+        return (
+            f"too hot: it would settle above {float(flow.oil_limit):g} degC" if nearer else "thermal runaway"
+        )
+
+    def _excess(self) -> np.ndarray:
+        """By how many kelvins the losses of one joint exceed what leaves at the temperatures."""
+        rise = np.asarray(self.temperatures) - float(self.flow.ambient)
+        return float(self.flow.to_rollers) * np.asarray(self.losses) - rise
+
     def other_states(self) -> list[tuple[float, bool]]:
         """Of one joint: its other steady temperatures [degC], and whether they are stable, to about half a kelvin."""
-        flow, warm = self.flow, np.asarray(self.temperatures)
-        excess = float(flow.to_rollers) * np.asarray(self.losses) - (warm - float(flow.ambient))
+        excess, warm = self._excess(), np.asarray(self.temperatures)
         found = []
         for k in range(warm.size - 1):
             one, two = excess[k : k + 2]

@@ -39,7 +39,7 @@ def heat_figure(heat: HeatBalance, *, title: str, width: float = 9.0) -> Figure:
             axes.plot([at], [loss], "o", color=INK)
             said = f"settles at {format_quantity(at, 'degC')} with {format_quantity(loss, 'W')}"
         else:
-            said = "thermal runaway: no temperature is steady"
+            said = f"no temperature is steady: {heat.unsteady_because}"
         axes.set(
             xlim=(warm[0], warm[-1]),
             ylim=(0.0, top),

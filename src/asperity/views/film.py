@@ -156,6 +156,11 @@ def _notes(document: Document) -> Iterator[str]:
         "share of the asperities is uncertain by a factor of 1.6 in both directions. The minimum film and its ratio λ "
         "are as if the film carried all."
     )
+    if document["unsteady_because"]:
+        yield (
+            f"The drive has no steady temperature ({document['unsteady_because']}): the oil has that of its "
+            "surroundings here; 'asperity roll' says which torque has one."
+        )
     yield BANDS
     here = document["film"]
     states = {_state(here["contacts"].values(), here["rolls"])}

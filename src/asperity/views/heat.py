@@ -18,7 +18,7 @@ def temperature_figure(document: Document) -> list[Figure]:
     if heat is None:
         return []
     if not heat["steady"]:
-        return [Figure("Temperature", "–", "", f"thermal runaway{_still_steady(heat)}", None)]
+        return [Figure("Temperature", "–", "", f"{heat['unsteady_because']}{_still_steady(heat)}", None)]
     around = f"{_rollers(document)}, steady; {quantity(heat['ambient_degC'], 'degC')} around the housing"
     return [
         Figure(
@@ -36,7 +36,11 @@ def at_temperature(document: Document) -> str:
     heat = document.get("heat")
     if heat is None:
         return ""
-    return f" at {number(heat['roller_temperature_degC'])} °C" if heat["steady"] else ", thermal runaway"
+    return (
+        f" at {number(heat['roller_temperature_degC'])} °C"
+        if heat["steady"]
+        else f", {heat['unsteady_because']}"
+    )
 
 
 def _rollers(document: Document) -> str:
@@ -82,7 +86,7 @@ def _steady(heat: Document, rollers: str) -> list[tuple[str, str, str]]:
     outward = quantity(heat["resistance_K_per_W"], "K/W")
     if not heat["steady"]:
         return [
-            ("temperature", "none is steady", f"thermal runaway{_still_steady(heat)}"),
+            ("temperature", "none is steady", f"{heat['unsteady_because']}{_still_steady(heat)}"),
             ("ambient", around, f"{outward} from the housing to it"),
         ]
     inward = heat["roller_resistance_K_per_W"]
