@@ -9,6 +9,7 @@ import numpy as np
 
 from asperity.results.accuracy_document import AccuracyOfJoint
 from asperity.rolling.accuracy import Component
+from asperity.show.placed_words import PlacedWords
 from asperity.show.style import ACCENT, INK, MARK, MUTED, STYLE
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ _SMALL = 8.5
 _COLOURS = (INK, "#2f7fb8", "#d9730d", "#2f8f5b", "#8e5ea2", "#b0457b", "#7a6a1f")
 #: So many of the largest orders have their names.
 _NAMED = 8
+#: Where the name of a harmonic may stand: how far from the end of its line, to the right and up [points], and on which
+#: side of that.
+_BESIDE = ((0, 5, "center"), (6, -3, "left"), (-6, -3, "right"), (0, 15, "center"))
 #: Smaller transmission errors than this share of the largest are those of rounding.
 _NOTHING = 1e-6
 
@@ -80,30 +84,35 @@ def _spectrum(axes: Axes, accuracy: AccuracyOfJoint) -> None:
             markersize=3.0 + 0.9 * (len(parts) - number),
             color=colour,
         )
-    _named(axes, shown)
     axes.set_xlim(0.0, 1.06 * max((one.order for one in components), default=1.0))
     axes.set_ylim(0.0, 1.25 * largest * _ARCSECONDS if largest > 0.0 else 1.0)
     axes.set_xlabel(f"order: waves per turn of the {accuracy.output.replace('_', ' ')}")
     axes.set_ylabel("amplitude of each [arcsec]")
     axes.legend(fontsize=_SMALL, loc="upper right", ncols=2)
+    _named(axes, shown)
 
 
 def _named(axes: Axes, components: list[Component]) -> None:
-    """The harmonics with the largest errors, each once."""
+    """The harmonics with the largest errors, each once, above their lines or beside their ends."""
+    words = PlacedWords(axes)
+    for one in components:
+        words.keep_free(np.full(2, one.order), np.array([0.0, _arcseconds(one)]))
     told: set[tuple[str, int]] = set()
     for one in sorted(components, key=lambda each: -abs(each.transmission_error)):
         key = (one.error.part, one.error.harmonic)
         if key in told or len(told) == _NAMED:
             continue
         told.add(key)
-        axes.annotate(
+        words.place(
             str(one.error.harmonic),
-            (one.order, _arcseconds(one)),
-            textcoords="offset points",
-            xytext=(0, 5),
-            ha="center",
-            fontsize=_SMALL,
-            color=INK,
+            (
+                (
+                    one.order,
+                    _arcseconds(one),
+                    {"xytext": (aside, above), "ha": align, "fontsize": _SMALL, "color": INK},
+                )
+                for aside, above, align in _BESIDE
+            ),
         )
 
 
