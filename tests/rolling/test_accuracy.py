@@ -6,10 +6,11 @@ import pytest
 from asperity.rolling.accuracy import Component, FormError, budget
 
 
-def component(part, harmonic, phase=None, sector=0):
+def component(part, harmonic, phase=None, sector=0, *, spin=1.0):
+    """A form error of a part that turns so fast in the carrier's frame, over the input."""
     error = FormError(part, sector, (), harmonic, 1e-6, phase)
     nothing = np.zeros(0)
-    return Component(error, 1.0, 1.0, 0j, nothing, nothing, nothing, 0j)
+    return Component(error, 1.0, harmonic * spin, 0j, nothing, nothing, nothing, 0j)
 
 
 def test_worst_and_rms_of_unknown_phases_by_sampling():
@@ -36,3 +37,22 @@ def test_one_frequency_with_known_phases_is_one_wave():
 def test_nothing_has_no_error():
     found = budget([], np.zeros((0, 2)))
     np.testing.assert_array_equal(found.worst, [0.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("phases", "frequencies", "worst"),
+    [
+        ((0.0, np.pi), (1.6, 1.6), 0.0),  # unlike parts of one frequency that cancel
+        ((0.0, 0.5 * np.pi), (1.6, 1.6), np.sqrt(2.0)),
+        ((0.0, np.pi), (1.6, 1.7), 2.0),  # of two frequencies they meet some time
+        ((0.0, None), (1.6, 1.6), 2.0),  # of an unknown phase it may be
+    ],
+)
+def test_waves_of_one_frequency_add_up_with_their_phases(phases, frequencies, worst):
+    parts = ("left_loading_roller", "right_loading_roller")
+    both = [
+        component(part, 2, phase, spin=spin)
+        for part, spin, phase in zip(parts, frequencies, phases, strict=True)
+    ]
+    found = budget(both, np.exp(1j * np.array([phase or 0.0 for phase in phases])))
+    assert float(found.worst) == pytest.approx(worst, abs=1e-12)

@@ -6,8 +6,7 @@ rotation; its mean speed is drift, which creep and sizes make. Where phases are 
 
 .. math:: \hat y = \sum_j |H_j| A_j \ \text{at worst}, \qquad y_{rms} = \sqrt{\tfrac12 \sum_j |H_j|^2 A_j^2}
 
-Harmonics of one number on alike parts of all sectors have one frequency: where all their phases are known, they add up
-with these.
+Harmonics of one number on alike parts have one frequency: where their phases are known, they add up with these.
 """
 
 from __future__ import annotations
@@ -240,7 +239,7 @@ def budget(components: Sequence[Component], values: np.ndarray) -> Budget:
     Parameters
     ----------
     components : sequence of Component
-        Whose part, harmonic and phase tell which of them have one frequency and known phases: these count as one.
+        Those of one frequency whose phases are known count as one.
     values : ndarray
         Complex amplitudes, components first.
 
@@ -253,13 +252,13 @@ def budget(components: Sequence[Component], values: np.ndarray) -> Budget:
     ----------
     Sums of waves of unlike frequencies; equation (R4) of :doc:`/equations`.
     """
-    together: dict[tuple[str, int], list[int]] = {}
+    together: dict[str, list[int]] = {}
     alone: list[np.ndarray] = []
     for number, component in enumerate(components):
         if component.error.phase is None:
             alone.append(np.abs(values[number]))
         else:
-            together.setdefault((component.error.part, component.error.harmonic), []).append(number)
+            together.setdefault(f"{component.frequency:.9g}", []).append(number)
     sizes = alone + [np.abs(values[numbers].sum(axis=0)) for numbers in together.values()]
     stacked = np.array(sizes) if sizes else np.zeros((1, *values.shape[1:]))
     return Budget(stacked.sum(axis=0), np.sqrt(0.5 * (stacked**2).sum(axis=0)))
