@@ -215,7 +215,7 @@ export function heatCurve(found, before) {
         { name: "heat that leaves", kind: "two", x, y: x.map((at) => (leaving(at) <= most ? leaving(at) : null)) },
       ],
       point: heat.steady ? { x: heat.roller_temperature_degC, y: heat.loss_W, name: "settles here" } : undefined,
-      note: "Where the losses are known: the drive slips at temperatures at which they have no value.",
+      note: y.includes(null) ? "The losses end where a contact slips." : "",
     }),
   ];
 }
