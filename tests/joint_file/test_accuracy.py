@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from form_errors import ARCSECONDS, EXAMPLES, check_joint
+from form_errors import ARCSECONDS, EXAMPLES, SET, check_joint
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.accuracy import joint_accuracy
@@ -12,28 +12,6 @@ from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.accuracy_document import accuracy_document
 from asperity.results.all_limits import further_checks
-
-#: The set of form errors of the prototype [µm]: runout is twice the first amplitude.
-SET = """
-[[form]]
-part = "sun"
-runout = "4 um"
-harmonics = { 2 = "0.5 um", 3 = "0.3 um" }
-
-[[form]]
-part = "planet"
-harmonics = { 2 = "0.5 um", 3 = "0.3 um", 4 = "0.2 um", 5 = "0.2 um" }
-
-[[form]]
-part = "loading_roller"
-runout = "4 um"
-harmonics = { 2 = "0.5 um", 3 = "0.3 um", 4 = "0.2 um", 5 = "0.2 um" }
-
-[[form]]
-part = "ring"
-runout = "6 um"
-harmonics = { 2 = "2 um", 3 = "1 um", 4 = "0.5 um", 5 = "0.5 um", 6 = "0.3 um" }
-"""
 
 
 def accuracy(text, **options):

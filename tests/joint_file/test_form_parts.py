@@ -22,7 +22,9 @@ def case_with(example, *sections):
 def errors_of(example, *sections):
     case = case_with(example, *sections)
     drive = joint_from_case(case).drive
-    return form_errors(case, form_parts(si_values(case), drive), drive, round(float(drive.sectors)))
+    return form_errors(
+        si_values(case), form_parts(si_values(case), drive), drive, round(float(drive.sectors))
+    )
 
 
 def test_runout_is_twice_an_amplitude():
@@ -70,7 +72,7 @@ def test_contacts_of_neighbouring_sectors_are_found():
     parts, sectors = form_parts(si_values(case), drive), round(float(drive.sectors))
     beside = [contact for contact in drive.contacts if contact.sector]
     assert beside
-    errors = form_errors(case, parts, drive, sectors)
+    errors = form_errors(si_values(case), parts, drive, sectors)
     assert errors
     from asperity.drive.layout.form import lobes_of
     from asperity.drive.layout.unfolding import unfolded
@@ -78,7 +80,7 @@ def test_contacts_of_neighbouring_sectors_are_found():
     whole = unfolded(drive, sectors=sectors)
     for name in parts:
         stated = case_with("multiroller", f'part = "{name}"\nharmonics = {{ 2 = "1 um" }}')
-        for error in form_errors(stated, parts, drive, sectors):
+        for error in form_errors(si_values(stated), parts, drive, sectors):
             body = whole.bodies[lobes_of(whole, error.sides, 2).body].name
             assert body.endswith(f"_{error.sector}") or error.sector == 0
 
@@ -130,7 +132,7 @@ def test_a_supported_planet_has_an_axis():
     text = text.replace("[model]", '[compliance]\nplanet_support_stiffness = "5 N/um"\n\n[model]', 1)
     case = parse_case(text + '\n[[form]]\npart = "planet"\nrunout = "4 um"\n', source="a")
     drive = joint_from_case(case).drive
-    assert len(form_errors(case, form_parts(si_values(case), drive), drive, 3)) == 3
+    assert len(form_errors(si_values(case), form_parts(si_values(case), drive), drive, 3)) == 3
 
 
 def test_numbers_of_form_errors_have_paths():
@@ -150,6 +152,6 @@ def test_a_floating_sun_has_no_axis():
         drive = joint_from_case(case).drive
         if refused:
             with pytest.raises(InputError, match="the sun floats, no axis: leave it out"):
-                form_errors(case, form_parts(si_values(case), drive), drive, 3)
+                form_errors(si_values(case), form_parts(si_values(case), drive), drive, 3)
         else:
-            assert len(form_errors(case, form_parts(si_values(case), drive), drive, 3)) == 1
+            assert len(form_errors(si_values(case), form_parts(si_values(case), drive), drive, 3)) == 1

@@ -22,7 +22,6 @@ def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
         "drive.ratio",
         "surface.mean_roughness_depth",
         "surface.partner_mean_roughness_depth",
-        "wear.coefficient",
     }
     assert (entered["duty.*.share"].lower, entered["duty.*.share"].upper) == (0.0, 1.0)
     assert entered["surface.*.mean_roughness_depth"].unit == "um"

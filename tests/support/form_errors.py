@@ -12,6 +12,27 @@ from asperity.rolling.accuracy import rolling_balance_of, under_interference
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ARCSECONDS = 648000.0 / np.pi
+#: The set of form errors of the prototype [µm]: runout is twice the first amplitude.
+SET = """
+[[form]]
+part = "sun"
+runout = "4 um"
+harmonics = { 2 = "0.5 um", 3 = "0.3 um" }
+
+[[form]]
+part = "planet"
+harmonics = { 2 = "0.5 um", 3 = "0.3 um", 4 = "0.2 um", 5 = "0.2 um" }
+
+[[form]]
+part = "loading_roller"
+runout = "4 um"
+harmonics = { 2 = "0.5 um", 3 = "0.3 um", 4 = "0.2 um", 5 = "0.2 um" }
+
+[[form]]
+part = "ring"
+runout = "6 um"
+harmonics = { 2 = "2 um", 3 = "1 um", 4 = "0.5 um", 5 = "0.5 um", 6 = "0.3 um" }
+"""
 
 
 def check_joint():

@@ -26,8 +26,9 @@ from asperity.cli.run_by_name import run_by_name
     show_default="all",
     metavar="NAMES",
     help="Results or groups of them, separated by commas: stiffness, assembly, series, published, forces, contacts, "
-    "diagnostics, geometry, size, residuals, capacity, rolling, losses, life, heat, loads, bearings, seats, stresses, "
-    "or all but the stresses. Only these are computed.",
+    "diagnostics, geometry, size, residuals, capacity, rolling, losses, life, wear, heat, accuracy, loads, bearings, "
+    "seats, stresses, or all, which leaves out stresses, wear and accuracy, because they take longest. Only these are "
+    "computed.",
 )
 @click.option(
     "--out",

@@ -191,6 +191,11 @@ def complex_number(real: Number, imaginary: Number) -> Number:
     return number
 
 
+def as_complex(real: Number) -> Number:
+    """Real numbers as complex ones: JAX does not convert them by itself where it is strict."""
+    return complex_number(real, any_xp.zeros_like(real))
+
+
 def entry_of(table: Number, place: Number) -> Number:
     """Entries of a table of constants at places that are computed, from 0 on."""
     return any_xp.take(np.asarray(table), place, axis=0, mode="clip")

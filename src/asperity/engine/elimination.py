@@ -99,9 +99,32 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
     return solution + solve(square, _product(matrix.T, right_side - _product(matrix, solution)))
 
 
+def solve_rows(matrix: Array, right_sides: Array) -> Array:
+    r"""The x of :math:`A x = b` for several b, shape (m, n), real or complex, with derivatives.
+
+    By the inverse, once refined: :math:`x = x_0 + A^{-1} (b - A x_0)`, which has the derivatives of the solution. For
+    matrices that follow from a state, after the last step of Newton's method: by LAPACK as these steps are, in a
+    thirteenth of the time, but where XLA optimises the program.
+    """
+    fixed = jax.lax.stop_gradient(matrix)
+    inverse = _inverse(fixed) if _OPTIMISED.get() else jnp.linalg.inv(fixed)
+    first = right_sides @ inverse.T
+    return first + (right_sides - first @ matrix.T) @ inverse.T
+
+
+@jax.jit
+def _inverse(matrix: Array) -> Array:
+    return _without_columns(matrix, jnp.eye(matrix.shape[0], dtype=matrix.dtype))
+
+
 @jax.jit
 def _eliminated(matrix: Array, vector: Array) -> Array:
-    rows = jnp.arange(matrix.shape[0])
+    return _without_columns(matrix, vector[:, None])[:, 0]
+
+
+def _without_columns(matrix: Array, right_sides: Array) -> Array:
+    """Solutions of several right sides, shape (n, m), by Gauss-Jordan elimination with partial pivoting."""
+    rows, count = jnp.arange(matrix.shape[0]), matrix.shape[0]
 
     def without_column(k: Array, state: tuple[Array, Array]) -> tuple[Array, Array]:
         table, place = state
@@ -113,6 +136,7 @@ def _eliminated(matrix: Array, vector: Array) -> Array:
         table = jnp.where(here[:, None], row, table - table[:, k, None] * row)
         return table, jnp.where(here, k, place)
 
-    start = jnp.column_stack([matrix, vector]), jnp.full_like(rows, -1)
+    start = jnp.column_stack([matrix, right_sides]), jnp.full_like(rows, -1)
     table, place = jax.lax.fori_loop(0, rows.size, without_column, start)
-    return jnp.where(place == rows[:, None], table[:, -1], 0.0).sum(axis=1)
+    in_place = (place == rows[:, None]).astype(table.dtype)
+    return in_place @ table[:, count:]

@@ -2,28 +2,38 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+
 import numpy as np
 
 from asperity.drive.layout.drive import Drive
 from asperity.drive.state.rolling_balance import RollingBalance
-from asperity.engine.arrays import as_numbers
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once
 from asperity.errors import InputError
-from asperity.joint.description import Joint
+from asperity.joint.assembled import assembled
+from asperity.joint.description import Joint, without_duty
 from asperity.joint.machine import joint_machine
 from asperity.joint.solve import refuse_impossible_joint
+from asperity.joint.unfolding import SectorSizes, unfolded_joint
 from asperity.joint_file.build import deviations_of, joint_from_values
 from asperity.joint_file.form_parts import form_errors, form_parts
-from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.joint_file.own_branches import floating_of, joint_with_branches
+from asperity.joint_file.part_names import SECTORS
+from asperity.joint_file.si_tables import AnyCase, Values, si_values
 from asperity.results.accuracy_document import AccuracyOfJoint
 from asperity.rolling.accuracy import (
     Accuracy,
     FormError,
+    TurnErrors,
     accuracy_of,
     over_turn,
     rolling_balance_at_once,
+    rolling_balance_of,
+    turn_errors,
     under_interference,
 )
+from asperity.types import Array, Real
 from asperity.units import format_quantity
 
 #: A wave is at least so many half-widths of the contact long: the contact then rolls as if the track were round.
@@ -63,6 +73,56 @@ def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
     )
 
 
+def turn_errors_of(values: Values) -> TurnErrors:
+    """What the form errors of a file do over a turn, of tables of :func:`with_sectors`, whose numbers may be traced.
+
+    Pure; nan where the joint does not roll, where waves are shorter than :data:`SHORTEST_WAVE` half-widths of their
+    contacts, and where the amplitudes of a part exceed the interference of the drive.
+    """
+    equal = without_duty(under_interference(joint_from_values(values)))
+    sectors = int(values[SECTORS])
+    errors = form_errors(values, form_parts(values, equal.drive), equal.drive, sectors)
+    joint = _unfolded(equal, values, sectors)
+    rolling = rolling_balance_of(joint)
+    alike = {(error.part, error.harmonic) for error in errors}
+    groups = [sorted(alike).index((error.part, error.harmonic)) for error in errors]
+    found = turn_errors(rolling, errors, None if "branch" in values else groups)
+    holds = _form_holds(joint, rolling, errors)
+    return TurnErrors(*(xp.where(holds, each, xp.nan) for each in found))
+
+
+def _unfolded(equal: Joint, values: Values, sectors: int) -> Joint:
+    """The joint with every sector by itself; pure."""
+    if sectors == 1:
+        return equal
+    if "branch" in values:
+        return without_duty(joint_with_branches(values))
+    force = assembled(joint_machine(equal)).laws.reference_force
+    support = xp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
+    sizes = SectorSizes(xp.zeros((sectors, force.size)), xp.tile(force, (sectors, 1)), support)
+    return unfolded_joint(equal, sizes, sectors=sectors, floating=floating_of(values, equal.drive))
+
+
+def _form_holds(joint: Joint, rolling: RollingBalance, errors: list[FormError]) -> Array:
+    """Whether all form errors are those of :func:`refuse_form` that are not refused; pure."""
+    drive, state = rolling.machine.drive, rolling.state
+    width = xp.asarray(joint_machine(joint).contacts.pairs.half_width(state.normal))
+    names = [contact.name for contact in drive.contacts]
+    radii = {"first": xp.asarray(drive.first_radius), "second": xp.asarray(drive.second_radius)}
+    long = [
+        2.0 * xp.pi * radii[side][names.index(name)]
+        >= SHORTEST_WAVE * error.harmonic * width[names.index(name)]
+        for error in errors
+        for name, side in error.sides
+    ]
+    totals: dict[tuple[str, int], list[Real]] = defaultdict(list)
+    for error in errors:
+        totals[error.part, error.sector].append(error.amplitude)
+    interference = xp.max(xp.asarray(state.interference))
+    small = [sum(sizes) <= interference for sizes in totals.values()]
+    return xp.all(xp.stack([xp.asarray(each) for each in (*long, *small)]))
+
+
 def accuracy_of_case(case: AnyCase) -> Accuracy:
     """What the form errors of a joint file do in its own direction; raises as :func:`joint_accuracy`."""
     return joint_accuracy(case).forward
@@ -83,7 +143,7 @@ def _whole(case: AnyCase) -> tuple[Joint, list[FormError], int]:
     joint = refuse_impossible_joint(joint)
     drive: Drive = as_numbers(joint.drive)
     sectors = round(float(joint.drive.sectors))
-    errors = form_errors(case, form_parts(values, drive), drive, sectors)
+    errors = form_errors(values, form_parts(values, drive), drive, sectors)
     return whole_joint(joint, values), errors, sectors
 
 
@@ -118,7 +178,7 @@ def refuse_form(joint: Joint, rolling: RollingBalance, errors: list[FormError]) 
                 )
     interference = float(np.max(np.asarray(rolling.state.interference)))
     for key in dict.fromkeys((error.part, error.sector) for error in errors):
-        total = sum(error.amplitude for error in errors if (error.part, error.sector) == key)
+        total = sum(float(error.amplitude) for error in errors if (error.part, error.sector) == key)
         if total > interference:
             raise InputError(
                 f"the amplitudes of the {key[0].replace('_', ' ')} add up to {format_quantity(total, 'um', 4)}, more "

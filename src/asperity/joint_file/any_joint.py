@@ -10,12 +10,14 @@ from typing import Any
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.existence import neighbours
 from asperity.drive.layout.wedge import wedges
+from asperity.drive.state.state import ContactLaws
 from asperity.engine.arrays import xp
-from asperity.joint.description import bearing_names, pin_names
-from asperity.joint.evaluation import evaluated_with_laws
+from asperity.joint.description import Joint, bearing_names, pin_names
+from asperity.joint.evaluation import JointResult, evaluated_with_laws
 from asperity.joint.pin_bound import stiffness_bound
 from asperity.joint.status import joint_status
 from asperity.joint_file import build
+from asperity.joint_file.accuracy import turn_errors_of
 from asperity.joint_file.own_branches import joint_with_branches, parts_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
@@ -66,14 +68,22 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     no_result: Any = None
 
     def ask(*scalars: Array) -> None:
-        presence.extend(
-            present(SolvedJoint(parts_with_branches(with_numbers(values, scalars)), no_result, None))
-        )
+        tables = with_numbers(values, scalars)
+        presence.extend(present(_solved(tables, parts_with_branches(tables), no_result, None)))
 
     import jax
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), xp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(presence) if present)
+
+
+def _solved(tables: Values, joint: Joint, result: JointResult, laws: ContactLaws | None) -> SolvedJoint:
+    """A joint with what is asked of it in tables in SI units."""
+    solved = SolvedJoint(joint, result, laws)
+    solved.required_life = tables.get("rolling", {}).get("required_life")
+    if "form" in tables:
+        solved.turn_errors = functools.partial(turn_errors_of, tables)
+    return solved
 
 
 def with_nominal_sizes(values: Values) -> Values:
@@ -121,9 +131,10 @@ def _pointwise(
     flat = [xp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
 
     def one(*scalars: Array) -> tuple[Array, dict[str, Array]]:
-        joint = joint_with_branches(with_numbers(values, scalars))
+        tables = with_numbers(values, scalars)
+        joint = joint_with_branches(tables)
         result, laws = evaluated_with_laws(joint)
-        return joint_status(joint, result), result_values(results, SolvedJoint(joint, result, laws))
+        return joint_status(joint, result), result_values(results, _solved(tables, joint, result, laws))
 
     if not any(leaf.ndim for leaf in leaves):
         status, named = one(*leaves)

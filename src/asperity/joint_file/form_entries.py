@@ -59,8 +59,3 @@ class FormEntry(Section):
                 "of them out"
             )
         return self
-
-    def amplitudes(self) -> dict[int, float]:
-        """Number of waves → amplitude [m]; that of one wave is half of the runout."""
-        found = {} if self.runout is None else {1: 0.5 * self.runout.value}
-        return found | {int(waves): size.value for waves, size in (self.harmonics or {}).items()}

@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from asperity.drive.layout.drive import Drive
+from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
-from asperity.joint_file.form_entries import FormEntry
 from asperity.joint_file.part_names import drive_type_of
-from asperity.joint_file.si_tables import AnyCase, Values
+from asperity.joint_file.si_tables import Values
 from asperity.rolling.accuracy import FormError
+from asperity.types import Real
 from asperity.units import format_quantity
 
 
@@ -26,7 +27,7 @@ class FormPart(NamedTuple):
     name: str
     body: str
     sides: tuple[tuple[int, str], ...]
-    radius: float
+    radius: Real
     on_axis: bool
     has_axis: bool
 
@@ -36,7 +37,8 @@ def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
     named: dict[str, list[FormPart]] = defaultdict(list)
     springs = values.get("compliance", {})
     supported = "planet_support_stiffness" in springs
-    input_floats = springs.get("sun_support_stiffness") == 0.0
+    support = springs.get("sun_support_stiffness")
+    input_floats = support is not None and not is_of_jax(support) and support == 0.0
     kind = drive_type_of(values)
     for number, body in enumerate(drive.bodies):
         tracks = _tracks(drive, body.name)
@@ -49,7 +51,7 @@ def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
                 name=body.name if alone else own,
                 body=body.name,
                 sides=sides,
-                radius=float(radius[side[0]]),
+                radius=radius[side[0]],
                 on_axis=body.on_axis,
                 has_axis=not alone
                 or (supported if body.place == "free" else not (input_floats and body.name == drive.input)),
@@ -76,16 +78,16 @@ def _tracks(drive: Drive, body: str) -> dict[str, tuple[tuple[int, str], ...]]:
 
 
 def form_errors(
-    case: AnyCase, parts: Mapping[str, Sequence[FormPart]], drive: Drive, sectors: int
+    values: Values, parts: Mapping[str, Sequence[FormPart]], drive: Drive, sectors: int
 ) -> list[FormError]:
-    """The form errors of a file, one for each harmonic of each part of each sector.
+    """The form errors of a file, one for each harmonic of each part of each sector, of tables in SI units; pure.
 
     ``drive`` has equal sectors. Contacts have the number of their sector behind their names where there are several
     sectors. An ``InputError`` is raised for what no part can have.
     """
     found: list[FormError] = []
     seen: dict[tuple[str, int, int], str] = {}
-    for number, entry in enumerate(case.form or (), start=1):
+    for number, entry in values.get("form", {}).items():
         where = f"form.{number}"
         for error in _of_entry(entry, where, parts, drive, sectors):
             key = (error.part, error.sector, error.harmonic)
@@ -99,50 +101,58 @@ def form_errors(
     return found
 
 
+def _amplitudes(entry: Values) -> dict[int, Real]:
+    """Number of waves → amplitude [m]; that of one wave is half of the runout."""
+    found: dict[int, Real] = {1: 0.5 * entry["runout"]} if "runout" in entry else {}
+    return found | {int(waves): size for waves, size in entry.get("harmonics", {}).items()}
+
+
 def _of_entry(
-    entry: FormEntry, where: str, parts: Mapping[str, Sequence[FormPart]], drive: Drive, sectors: int
+    entry: Values, where: str, parts: Mapping[str, Sequence[FormPart]], drive: Drive, sectors: int
 ) -> Iterator[FormError]:
     """The form errors of one section."""
-    if entry.part not in parts:
+    if entry["part"] not in parts:
         raise InputError(
-            f"{where}.part: the drive has no part '{entry.part}'"
-            f"{nearest(entry.part, parts) or '; it has ' + ', '.join(parts)}"
+            f"{where}.part: the drive has no part '{entry['part']}'"
+            f"{nearest(entry['part'], parts) or '; it has ' + ', '.join(parts)}"
         )
-    for part in parts[entry.part]:
-        _refuse_sector(entry, where, part, sectors)
-        for harmonic, amplitude in entry.amplitudes().items():
+    sector = None if "sector" not in entry else int(entry["sector"])
+    for part in parts[entry["part"]]:
+        _refuse_sector(sector, where, part, sectors)
+        for harmonic, amplitude in _amplitudes(entry).items():
             if harmonic == 1 and not part.has_axis:
-                key = "runout" if entry.runout is not None else "harmonics.1"
+                key = "runout" if "runout" in entry else "harmonics.1"
                 raise InputError(
-                    f"{where}.{key} = {format_quantity(amplitude * (2 if key == 'runout' else 1), 'um')}: the "
+                    f"{where}.{key}{_stated(amplitude * (2 if key == 'runout' else 1))}: the "
                     f"{part.name.replace('_', ' ')} floats, no axis: leave it out; its centre goes where its contacts "
                     "put it"
                 )
-            numbers = (
-                (0,) if part.on_axis else range(1, sectors + 1) if entry.sector is None else (entry.sector,)
-            )
-            for sector in numbers:
+            numbers = (0,) if part.on_axis else range(1, sectors + 1) if sector is None else (sector,)
+            for of in numbers:
                 yield FormError(
                     part=part.name,
-                    sector=sector,
-                    sides=_sides(part, drive, sector, sectors),
+                    sector=of,
+                    sides=_sides(part, drive, of, sectors),
                     harmonic=harmonic,
                     amplitude=amplitude,
-                    phase=None if entry.phase is None else entry.phase.value,
+                    phase=entry.get("phase"),
                 )
 
 
-def _refuse_sector(entry: FormEntry, where: str, part: FormPart, sectors: int) -> None:
-    if entry.sector is None:
+def _stated(size: Real) -> str:
+    """A length as it is stated; nothing of one that varies."""
+    return "" if is_of_jax(size) else f" = {format_quantity(float(size), 'um')}"
+
+
+def _refuse_sector(sector: int | None, where: str, part: FormPart, sectors: int) -> None:
+    if sector is None:
         return
     if part.on_axis:
         raise InputError(
-            f"{where}.sector = {entry.sector}: all sectors share the {part.name.replace('_', ' ')}; leave it out"
+            f"{where}.sector = {sector}: all sectors share the {part.name.replace('_', ' ')}; leave it out"
         )
-    if entry.sector > sectors:
-        raise InputError(
-            f"{where}.sector = {entry.sector}: the drive has {sectors} sectors; choose one of them"
-        )
+    if sector > sectors:
+        raise InputError(f"{where}.sector = {sector}: the drive has {sectors} sectors; choose one of them")
 
 
 def _sides(part: FormPart, drive: Drive, sector: int, sectors: int) -> tuple[tuple[str, str], ...]:

@@ -92,9 +92,9 @@ def _sectors(values: Values) -> tuple[Joint, SectorSizes, int, tuple[str, ...]]:
     added = added_by_branches(values, count)
     support = xp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
     sizes = SectorSizes(added, xp.zeros_like(added), support)
-    return joint, sizes, count, _floating(values, joint.drive)
+    return joint, sizes, count, floating_of(values, joint.drive)
 
 
-def _floating(values: Values, drive: Drive) -> tuple[str, ...]:
+def floating_of(values: Values, drive: Drive) -> tuple[str, ...]:
     """The input where its bearings give way."""
     return (drive.input,) if "sun_support_stiffness" in values.get("compliance", {}) else ()

@@ -63,25 +63,44 @@ def size_keys(tables: Mapping[str, Any]) -> set[str]:
     }
 
 
+#: Key of tables of a file with form errors: the number of sectors of its drive, as a word.
+SECTORS = "form_sectors"
+
+
 def with_tracks(tables: Document) -> Document:
-    """Tables in SI units whose contacts name what belongs to the structure of the drive, so that numbers may vary.
+    """Tables in SI units that name what belongs to the structure of the drive, so that numbers may vary.
 
     The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth values
-    and sectors of the contacts.
+    and sectors of the contacts; those with form errors with :data:`SECTORS`, and words in place of theirs.
     """
-    contacts = tables.get("contact")
-    if not isinstance(contacts, Mapping) or any("tracks" in entry for entry in contacts.values()):
-        return tables
-    named = {
-        index: entry
-        | {
-            "tracks": {side: track_of(contacts.values(), entry, side) for side in SIDES},
-            "internal": "yes" if entry["internal"] else "",
-            "sector": str(entry["sector"]),
+    contacts, named = tables.get("contact"), tables
+    if isinstance(contacts, Mapping) and not any("tracks" in entry for entry in contacts.values()):
+        named = tables | {
+            "contact": {
+                index: entry
+                | {
+                    "tracks": {side: track_of(contacts.values(), entry, side) for side in SIDES},
+                    "internal": "yes" if entry["internal"] else "",
+                    "sector": str(entry["sector"]),
+                }
+                for index, entry in contacts.items()
+            }
         }
-        for index, entry in contacts.items()
+    if "form" not in tables or SECTORS in tables:
+        return named
+    form = {
+        index: entry | ({"sector": str(entry["sector"])} if "sector" in entry else {})
+        for index, entry in tables["form"].items()
     }
-    return tables | {"contact": named}
+    return named | {"form": form, SECTORS: str(_sectors_of(tables))}
+
+
+def _sectors_of(tables: Document) -> int:
+    """Number of equal sectors of the drive of a file, or of its branches."""
+    if "branch" in tables:
+        return len(tables["branch"])
+    sectors = drive_type_of(tables).sectors
+    return 1 if sectors is None else round(float(tables["drive"][sectors.key]))
 
 
 def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:

@@ -166,21 +166,7 @@ def refuse_part_of_a_duty(duty: tuple[DutyLoad, ...] | None) -> None:
         raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
 
 
-def _wear_coefficient(written: object) -> float:
-    """A wear coefficient [1/Pa]."""
-    coefficient = limits.WEAR_COEFFICIENT.read(written)
-    if coefficient.tolerance:
-        raise InputError(
-            f"a wear coefficient has no tolerance here, got {written!r}: all times are in proportion to it"
-        )
-    return coefficient.value
-
-
-WearCoefficient = Annotated[
-    float,
-    BeforeValidator(_wear_coefficient, json_schema_input_type=str),
-    Entered(limits.WEAR_COEFFICIENT),
-]
+WearCoefficient = Annotated[Quantity, limits.WEAR_COEFFICIENT]
 
 
 class DynamicsEntry(Section):

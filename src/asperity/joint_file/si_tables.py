@@ -68,6 +68,7 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     "partner_roughness_average": (PARTNER_DEPTH,),
 }
 _NAMED = ("materials", "fluids", "duty", "form", "branch", "roller", "contact")
+_STATED_PER_PART = "wear.coefficient"
 _STATED_PER_CONTACT = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
@@ -234,6 +235,8 @@ def change_targets(
     tables: Any, path: str, *, split: Callable[[Any, tuple[str, ...]], Any] = _for_each_contact
 ) -> list[tuple[str, ...]]:
     """Where a change of a number goes in nested tables."""
+    if path == _STATED_PER_PART or path.startswith(f"{_STATED_PER_PART}."):
+        return _targets_of_parts(tables, path)
     for place in _STATED_PER_CONTACT:
         if path == place or path.startswith(f"{place}."):
             break
@@ -257,6 +260,22 @@ def change_targets(
             parent[head[-1]] = split(entry, contacts)
         return [head + rest]
     return [(*head, name, *rest) for name in contacts] if for_each else [head + rest]
+
+
+def _targets_of_parts(tables: Any, path: str) -> list[tuple[str, ...]]:
+    """The same of a number that a file states once for all parts, or for each of them."""
+    head, name = tuple(_STATED_PER_PART.split(".")), path.removeprefix(_STATED_PER_PART).removeprefix(".")
+    entry = tables.get(head[0], {}).get(head[1])
+    if not name:
+        return [(*head, part) for part in entry] if isinstance(entry, dict) else [head]
+    if not isinstance(entry, dict):
+        raise InputError(
+            f"{path}: the file has no {_STATED_PER_PART} for each part; vary '{_STATED_PER_PART}', or state a table "
+            "with the names of [bodies]"
+        )
+    if name not in entry:
+        raise InputError(f"{path}: there is no part '{name}'{nearest(name, entry)}")
+    return [(*head, name)]
 
 
 def contact_in(path: str) -> str | None:

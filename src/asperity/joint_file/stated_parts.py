@@ -94,12 +94,13 @@ def _form_words(case: AnyCase, joint: Joint) -> dict[str, tuple[str, ...]]:
     if case.form is None or joint.unlike is not None:
         return {}
     drive = as_numbers(joint.drive)
-    parts = form_parts(si_values(case), drive)
+    values = si_values(case)
+    parts = form_parts(values, drive)
     readings: dict[tuple[str, str], dict[int, float]] = {}
     bodies = {part.name: part.body for each in parts.values() for part in each}
-    for error in form_errors(case, parts, drive, round(float(joint.drive.sectors))):
+    for error in form_errors(values, parts, drive, round(float(joint.drive.sectors))):
         of_track = readings.setdefault((bodies[error.part], error.part), {})
-        of_track[error.harmonic] = max(2.0 * error.amplitude, of_track.get(error.harmonic, 0.0))
+        of_track[error.harmonic] = max(2.0 * float(error.amplitude), of_track.get(error.harmonic, 0.0))
     words: dict[str, tuple[str, ...]] = {}
     for (body, part), of_track in readings.items():
         said = [

@@ -10,14 +10,13 @@ import numpy as np
 
 from asperity.contact.life_factor import LEAST_FILM_RATIO
 from asperity.engine.arrays import xp
-from asperity.errors import NoSolutionError
 from asperity.results import RESULTS, Limit, Result
+from asperity.results.accuracy_rows import accuracy_of_solved
 from asperity.results.film_bands import film_band
 from asperity.results.limit_check import LimitCheck, checked_limits
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.results.wear_limits import wear_checks
-from asperity.rolling.accuracy import Accuracy
 from asperity.rolling.conditions import DutyPoint
 from asperity.rolling.document import no_duty_factor_because, no_factor_because
 from asperity.types import Array
@@ -201,7 +200,7 @@ def turn_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """
     if solved.over_turn is None:
         return ()
-    accuracy = solved.once(_accuracy)
+    accuracy = solved.once(accuracy_of_solved)
     checks = []
     allowed = solved.allowed_transmission_error
     if allowed is not None:
@@ -214,22 +213,9 @@ def turn_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     return (*checks, LimitCheck(_TURN_SLIP, accuracy.contact_names[worst], float(slip[worst])))
 
 
-def _accuracy(solved: SolvedJoint) -> Accuracy | None:
-    """What the form errors of a joint do over a turn; None where it does not roll."""
-    assert solved.over_turn is not None
-    try:
-        return solved.over_turn()
-    except NoSolutionError:
-        return None
-
-
 _NOT_TURNING = "no turn to judge: the joint does not roll steadily under its torque"
-_TURN_SLIP = Result(
-    "turn_slip_ratio",
-    "slip ratio over a turn, worst phases of the form errors",
-    Dimension.DIMENSIONLESS,
-    "1",
-    "turn_slip_ratio",
+_TURN_SLIP = dataclasses.replace(
+    RESULTS["turn_slip_ratio"],
     limit=Limit(
         "accuracy",
         "no contact slips within a turn, whatever the phases of the form errors",
@@ -245,12 +231,8 @@ _TURN_SLIP = Result(
 
 def _transmission_error(allowed: float) -> Result:
     """Result with its limit for the transmission error that is allowed [rad]."""
-    return Result(
-        "transmission_error",
-        "transmission error, worst phases of the form errors",
-        Dimension.ANGLE,
-        "arcsec",
-        "transmission_error",
+    return dataclasses.replace(
+        RESULTS["transmission_error"],
         limit=Limit(
             "function",
             "the output deviates from even rotation by less than rolling.allowed_transmission_error",

@@ -43,7 +43,7 @@ from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
 from asperity.results.oil_notes import oil_notes
-from asperity.rolling.accuracy import Accuracy
+from asperity.rolling.accuracy import Accuracy, TurnErrors
 from asperity.rolling.inlet_heat import film_unknown_because
 from asperity.types import Array
 
@@ -118,9 +118,11 @@ class SolvedJoint:
     joint: Joint
     result: JointResult
     #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
-    required_life: float | None = None
+    required_life: Any = None
     #: What its form errors do over a turn, where a file states them; raises NoSolutionError where it does not roll.
     over_turn: Callable[[], Accuracy] | None = None
+    #: The sums of that, of a point of a study.
+    turn_errors: Callable[[], TurnErrors] | None = None
     #: The largest transmission error that somebody allows [rad].
     allowed_transmission_error: float | None = None
     #: Body → name of its material, where a file names them.

@@ -13,6 +13,7 @@ from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.pin_bound import stiffness_bound
 from asperity.results import (
+    accuracy_rows,
     contact_rows,
     drive_rows,
     heat_rows,
@@ -20,6 +21,7 @@ from asperity.results import (
     load_rows,
     rolling_rows,
     stiffness_rows,
+    wear_rows,
 )
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
@@ -38,6 +40,8 @@ RESULTS: dict[str, Result] = {
         *limit_rows.ROWS,
         *rolling_rows.ROWS,
         *heat_rows.ROWS,
+        *wear_rows.ROWS,
+        *accuracy_rows.ROWS,
         *load_rows.ROWS,
         *drive_rows.ROWS,
     )
@@ -46,12 +50,12 @@ RESULTS: dict[str, Result] = {
 #: Levels of the stiffness, the fullest model first.
 LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
 
-#: Group that takes more time than all others together, and is therefore asked for by its own name.
-_SLOW_GROUP = "stresses"
+#: Groups each of which takes more time than all others together, and which are therefore asked for by their names.
+_SLOW_GROUPS = ("stresses", "wear", "accuracy")
 
-#: Groups of results that can be asked for by one word; ``all`` is everything but the stresses of rims.
+#: Groups of results that can be asked for by one word; ``all`` is everything but those that take long.
 GROUPS: dict[str, tuple[str, ...]] = {
-    "all": tuple(name for name, row in RESULTS.items() if row.group != _SLOW_GROUP),
+    "all": tuple(name for name, row in RESULTS.items() if row.group not in _SLOW_GROUPS),
     "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_input"))),
     **{
         group: tuple(name for name, row in RESULTS.items() if row.group == group)

@@ -21,10 +21,10 @@ import numpy as np
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.form import Lobes, lobes_of, orders
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
-from asperity.drive.state.ripple import Ripples, ripples
+from asperity.drive.state.ripple import Ripples, ripples, slip_of_waves, solved_waves
 from asperity.drive.state.rolling_balance import RollingBalance, rolling_balance
 from asperity.engine import trees
-from asperity.engine.arrays import as_numbers, xp
+from asperity.engine.arrays import as_numbers, complex_number, xp
 from asperity.engine.control import at_once
 from asperity.errors import NoSolutionError
 from asperity.joint.assembled import assembled
@@ -32,7 +32,7 @@ from asperity.joint.description import Joint, without_duty
 from asperity.joint.laws import creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.machine import joint_machine
-from asperity.types import Real
+from asperity.types import Array, Number, Real
 
 
 class FormError(NamedTuple):
@@ -47,8 +47,8 @@ class FormError(NamedTuple):
     sector: int
     sides: tuple[tuple[str, str], ...]
     harmonic: int
-    amplitude: float
-    phase: float | None
+    amplitude: Real
+    phase: Real | None
 
 
 class Component(NamedTuple):
@@ -123,6 +123,8 @@ class OverTurn(NamedTuple):
     slip: np.ndarray
 
 
+#: Relative difference of frequencies below which they are one.
+_SAME_FREQUENCY = 1e-9
 #: Points to the shortest wave over a turn, and the most of all.
 _POINTS, _MOST_POINTS = 24, 20_000
 
@@ -252,16 +254,79 @@ def budget(components: Sequence[Component], values: np.ndarray) -> Budget:
     ----------
     Sums of waves of unlike frequencies; equation (R4) of :doc:`/equations`.
     """
-    together: dict[str, list[int]] = {}
-    alone: list[np.ndarray] = []
-    for number, component in enumerate(components):
-        if component.error.phase is None:
-            alone.append(np.abs(values[number]))
-        else:
-            together.setdefault(f"{component.frequency:.9g}", []).append(number)
-    sizes = alone + [np.abs(values[numbers].sum(axis=0)) for numbers in together.values()]
-    stacked = np.array(sizes) if sizes else np.zeros((1, *values.shape[1:]))
-    return Budget(stacked.sum(axis=0), np.sqrt(0.5 * (stacked**2).sum(axis=0)))
+    if not components:
+        return Budget(np.zeros(values.shape[1:]), np.zeros(values.shape[1:]))
+    frequency = np.array([component.frequency for component in components])
+    sums = waves_together(values, frequency, [one.error.phase is not None for one in components])
+    return Budget(*(np.asarray(each) for each in sums))
+
+
+def waves_together(values: Number, frequency: Number, known: Sequence[bool]) -> tuple[Array, Array]:
+    """Largest sum and root mean square of waves, shape (waves, ...): those of one frequency count as one.
+
+    If their phases are ``known``. Equation (R4).
+    """
+    phased = np.array(known, dtype=bool)
+    close = abs(frequency[:, None] - frequency) <= _SAME_FREQUENCY * abs(frequency)
+    same = xp.where(phased[:, None] & phased, close, np.eye(len(phased), dtype=bool)).astype(float)
+    beside = [1] * (values.ndim - 1)
+    real, imaginary = (xp.tensordot(same, part, axes=1) for part in (xp.real(values), xp.imag(values)))
+    share = (1.0 / xp.sum(same, axis=1)).reshape(-1, *beside)
+    square = real**2 + imaginary**2
+    swings = square > 0.0
+    size = xp.where(swings, xp.sqrt(xp.where(swings, square, 1.0)), 0.0)
+    mean = 0.5 * xp.sum(share * square, axis=0)
+    moves = mean > 0.0
+    return xp.sum(share * size, axis=0), xp.where(moves, xp.sqrt(xp.where(moves, mean, 1.0)), 0.0)
+
+
+class TurnErrors(NamedTuple):
+    """What form errors do over a turn: largest and rms transmission error [rad], largest slip ratio of a contact [-].
+
+    nan where the joint does not roll.
+    """
+
+    transmission_error: Real
+    transmission_error_rms: Real
+    slip_ratio: Real
+
+
+def turn_errors(
+    rolling: RollingBalance, errors: Sequence[FormError], groups: Sequence[int] | None = None
+) -> TurnErrors:
+    r"""The sums of :func:`accuracy_of` alone; pure: for many joints at once by JAX, with derivatives.
+
+    Parameters
+    ----------
+    rolling : RollingBalance
+        The whole drive in steady rolling.
+    errors : sequence of FormError
+        Form errors of its tracks, whose amplitudes and phases may be traced.
+    groups : sequence of int or None, optional
+        A number for each, alike for those of one frequency, as of one harmonic of a part in equal sectors.
+
+    Returns
+    -------
+    TurnErrors
+        Worst and rms transmission error [rad], and the largest slip ratio at the worst phases [-].
+
+    References
+    ----------
+    Equations (R1) to (R4) of :doc:`/equations`.
+    """
+    drive, state = rolling.machine.drive, rolling.state
+    solved = solved_waves(rolling, [lobes_of(drive, each.sides, each.harmonic) for each in errors], groups)
+    angle = xp.stack([xp.asarray(0.0 if each.phase is None else each.phase, dtype=float) for each in errors])
+    amplitude = xp.stack([xp.asarray(each.amplitude, dtype=float) for each in errors])
+    size = complex_number(amplitude * xp.cos(angle), amplitude * xp.sin(angle))
+    known = [each.phase is not None for each in errors]
+    turned = complex_number(xp.zeros_like(solved.frequency), solved.frequency)
+    swung = solved.speed(rolling.machine)[:, drive.layout.output] / turned
+    worst, rms = waves_together(size * swung, solved.frequency, known)
+    slip, _ = waves_together(size[:, None] * slip_of_waves(rolling, solved), solved.frequency, known)
+    slips = xp.abs(state.tangential) / rolling.balance.responses.capacity
+    rolls = state.residual < ROLLING_TOLERANCE
+    return TurnErrors(*(xp.where(rolls, each, xp.nan) for each in (worst, rms, xp.max(slips + slip))))
 
 
 def over_turn(accuracy: Accuracy) -> OverTurn:

@@ -144,7 +144,7 @@ def evaluate_points(
         options = {"in_all": in_all, "batch": batch, "threads": threads}
         return _evaluate_measured(values, points, results, report=report, **options)
     values = with_tracks(values)
-    _refuse_count(values, tuple(points))
+    _refuse_count(values, tuple(points), results)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     outside = np.zeros(count, dtype=bool)
@@ -241,7 +241,14 @@ def count_of_branches(values: Values) -> str | None:
     return f"drive.{sectors.key}" if "branch" in values and sectors is not None else None
 
 
-def _refuse_count(values: Values, paths: tuple[str, ...]) -> None:
+def _refuse_count(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> None:
+    sectors = drive_type_of(values).sectors
+    of_turn = [name for name in results if RESULTS[name].group == "accuracy"]
+    if "form" in values and sectors is not None and f"drive.{sectors.key}" in paths and of_turn:
+        raise InputError(
+            f"drive.{sectors.key} cannot vary with {of_turn[0]}: form errors are those of parts in a drive of a known "
+            "number of sectors; leave it out, or ask for other results"
+        )
     if (count := count_of_branches(values)) in paths:
         raise InputError(
             f"{count} cannot vary: the file has {len(values['branch'])} sections [[branch]], one for each; leave them "
@@ -311,7 +318,7 @@ def derivatives_at(
     """
     if MEASURED in values:
         return _derivatives_measured(values, changes, results, variables, nominal, block)
-    _refuse_count(values, variables)
+    _refuse_count(values, variables, results)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
     table = _table(filled, points)

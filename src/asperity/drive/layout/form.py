@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from asperity.drive.layout.drive import Drive, contact_angles
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import complex_number, xp
 from asperity.engine.module import Module
 from asperity.types import Array
 
@@ -71,18 +71,24 @@ def lobes_of(drive: Drive, sides: Collection[tuple[str, str]], harmonic: int) ->
     return Lobes(int(bodies.pop()), first, second, harmonic)
 
 
-def waves_at_contacts(drive: Drive, lobes: Lobes) -> tuple[np.ndarray, np.ndarray]:
+def waves_at_contacts(drive: Drive, lobes: Lobes) -> tuple[Array, Array]:
     r"""Form of a harmonic at both surfaces of each contact as complex numbers, over its amplitude at no turn and phase.
 
     .. math:: e^{i n \vartheta}
 
     0 where the surface is another one, shape (contacts,) [-].
     """
-    first, second = (np.asarray(angle) for angle in contact_angles(drive))
+    first, second = contact_angles(drive)
     return (
-        np.where(lobes.first, np.exp(1j * lobes.harmonic * first), 0.0),
-        np.where(lobes.second, np.exp(1j * lobes.harmonic * second), 0.0),
+        _wave(lobes.first, lobes.harmonic * first),
+        _wave(lobes.second, lobes.harmonic * second),
     )
+
+
+def _wave(there: np.ndarray, angle: Array) -> Array:
+    """exp(i angle) where a surface is the one of a wave, else 0."""
+    wave: Array = complex_number(xp.where(there, xp.cos(angle), 0.0), xp.where(there, xp.sin(angle), 0.0))
+    return wave
 
 
 def form_of_waves(first: np.ndarray, second: np.ndarray, harmonic: int) -> Form:

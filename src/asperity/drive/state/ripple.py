@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.layout.form import Form, Lobes, form_of_waves, waves_at_contacts
+from asperity.drive.layout.form import Form, Lobes, waves_at_contacts
 from asperity.drive.state.equations import (
     Machine,
     Unknowns,
@@ -32,8 +32,8 @@ from asperity.drive.state.form_terms import with_form
 from asperity.drive.state.loads import Resistance
 from asperity.drive.state.rolling_balance import RollingBalance
 from asperity.drive.state.slopes import ResponsesAndSlopes, Slopes, responses_and_slopes, state_slopes
-from asperity.engine.arrays import xp
-from asperity.engine.derivatives import value_and_slopes
+from asperity.engine.arrays import as_complex, complex_number, uses_jax, xp
+from asperity.engine.derivatives import jacobian, value_and_slopes
 from asperity.engine.trees import map as of_leaves
 from asperity.errors import NoSolutionError
 from asperity.types import Array
@@ -91,76 +91,137 @@ def ripples(rolling: RollingBalance, waves: Sequence[Lobes]) -> Ripples:
     ----------
     Equations (R1) to (R3) of :doc:`/equations`, linear in form and movement.
     """
-    machine, task, (x, _, slides) = rolling
-    found = responses_and_slopes(machine, task, x)
-    slopes = state_slopes(machine, task, 0, slides, x, found)
-    speed = np.asarray(rolling.state.speed)
-    at_contacts = [waves_at_contacts(machine.drive, lobes) for lobes in waves]
-    forms = [
-        form
-        for lobes, (first, second) in zip(waves, at_contacts, strict=True)
-        for form in (
-            form_of_waves(first, second, lobes.harmonic),
-            form_of_waves(-1j * first, -1j * second, lobes.harmonic),
-        )
-    ]
-    driven = _by_forms(rolling, forms)
-    matrix, damping = full_slopes(slopes), velocity_slopes(machine)
-    frequency = np.array([-lobes.harmonic * _relative(machine, lobes, speed) for lobes in waves])
     try:
-        solution = np.linalg.solve(
-            matrix[None] + 1j * frequency[:, None, None] * damping[None], -driven[:, :, None]
-        )[:, :, 0]
+        with np.errstate(all="ignore"):
+            solved = solved_waves(rolling, waves)
     except np.linalg.LinAlgError:
         raise NoSolutionError(
             "the equations of a form error have no solution: nothing holds a part of the drive"
         ) from None
-    return _ripples_of(rolling, found, frequency, solution, forms)
+    return _ripples_of(rolling, solved)
 
 
-def full_slopes(slopes: Slopes) -> np.ndarray:
+class SolvedWaves(NamedTuple):
+    """Solutions of the equations for harmonics of a rolling drive.
+
+    ``responses`` of its contacts; ``forms`` of the waves at the contacts as complex numbers: of both surfaces and their
+    slopes, shape (waves, 4 contacts) [-]; ``frequency`` nu, shape (waves,) [-]; ``unknowns`` in the order of
+    :func:`full_slopes`, complex, shape (waves, n) [1/m].
+    """
+
+    responses: ResponsesAndSlopes
+    forms: Array
+    frequency: Array
+    unknowns: Array
+
+    def speed(self, machine: Machine) -> Array:
+        """Speeds of the members over that of the input, complex, shape (waves, members) [1/m]."""
+        layout, contacts = machine.drive.layout, len(machine.drive.contacts)
+        first = 2 * contacts + machine.matrices.approach.shape[1]
+        turns = self.unknowns[:, first : first + layout.turning.size]
+        return turns @ as_complex(layout.unit[layout.turning])
+
+    def forces(self, machine: Machine) -> tuple[Array, Array]:
+        """Normal and tangential forces of the contacts, complex, shape (waves, contacts) [N/m]."""
+        contacts, reference = len(machine.drive.contacts), machine.laws.reference_force
+        normal = self.unknowns[:, :contacts] * as_complex(reference)
+        return normal, self.unknowns[:, contacts : 2 * contacts] * as_complex(machine.friction * reference)
+
+
+def solved_waves(
+    rolling: RollingBalance, waves: Sequence[Lobes], groups: Sequence[int] | None = None
+) -> SolvedWaves:
+    """What :func:`ripples` solves, pure: for one drive, and for many by JAX, with derivatives.
+
+    ``groups``: a number for each wave, alike for those of one frequency, which share their matrix.
+    """
+    machine, task, (x, _, slides) = rolling
+    found = responses_and_slopes(machine, task, x)
+    slopes = state_slopes(machine, task, 0, slides, x, found)
+    speed = rolling.state.speed
+    forms = xp.stack([_at_contacts(machine, lobes) for lobes in waves])
+    frequency = xp.stack([-lobes.harmonic * _relative(machine, lobes, speed) for lobes in waves])
+    solution = _solved(
+        full_slopes(slopes),
+        velocity_slopes(machine),
+        frequency,
+        forms @ as_complex(_by_form(rolling)).T,
+        range(len(waves)) if groups is None else groups,
+    )
+    return SolvedWaves(found, forms, frequency, -solution)
+
+
+def _solved(
+    matrix: Array, damping: Array, frequency: Array, right_sides: Array, groups: Sequence[int]
+) -> Array:
+    r"""The x of :math:`(J + i \nu D) x = b` for waves of some frequencies, shape (waves, n)."""
+    if not uses_jax(matrix, damping, frequency, right_sides):
+        systems = complex_number(matrix, frequency[:, None, None] * damping)
+        return xp.linalg.solve(systems, right_sides[:, :, None])[:, :, 0]
+    import jax
+
+    from asperity.engine.elimination import solve_rows
+
+    places = [[k for k, of in enumerate(groups) if of == group] for group in dict.fromkeys(groups)]
+    most = max(map(len, places))
+    filled = xp.asarray([(place + place[-1:] * most)[:most] for place in places])
+
+    def of_group(at: Array) -> Array:
+        return solve_rows(complex_number(matrix, frequency[at[0]] * damping), right_sides[at])
+
+    solutions = jax.vmap(of_group)(filled)
+    where = {k: (group, row) for group, place in enumerate(places) for row, k in enumerate(place)}
+    first, second = np.array([where[k] for k in range(len(groups))]).T
+    return solutions[first, second]
+
+
+def full_slopes(slopes: Slopes) -> Array:
     """Slopes of all equations by all unknowns, those of the contacts first: normal, tangential, then the structure."""
-    approach = np.asarray(slopes.approach)
-    normal = approach if approach.ndim > 1 else np.diag(approach)
-    return np.block(
+    approach = slopes.approach
+    normal = approach if approach.ndim > 1 else approach[:, None] * xp.eye(approach.size)
+    return xp.concatenate(
         [
-            [normal, np.zeros_like(normal), slopes.approach_moves],
-            [slopes.held_normal, slopes.held_tangential, slopes.held_moves],
-            [slopes.normal, slopes.tangential, slopes.structure],
+            xp.concatenate([normal, xp.zeros_like(normal), slopes.approach_moves], axis=1),
+            xp.concatenate([slopes.held_normal, slopes.held_tangential, slopes.held_moves], axis=1),
+            xp.concatenate([slopes.normal, slopes.tangential, slopes.structure], axis=1),
         ]
     )
 
 
-def velocity_slopes(machine: Machine) -> np.ndarray:
+def velocity_slopes(machine: Machine) -> Array:
     """Slopes of all equations by the movements of all unknowns a radian of the input: those of the centres creep."""
-    sliding = np.asarray(machine.matrices.sliding) * float(1e3 * machine.length / machine.lever)
+    sliding = machine.matrices.sliding * (1e3 * machine.length / machine.lever)
     contacts, moves = sliding.shape
-    structure = moves + len(turning_members(machine.drive)) + machine.matrices.levers.size + 1
-    slopes = np.zeros((2 * contacts + structure, 2 * contacts + structure))
-    slopes[contacts : 2 * contacts, 2 * contacts : 2 * contacts + moves] = -sliding
-    return slopes
+    others = len(turning_members(machine.drive)) + machine.matrices.levers.size + 1
+    return xp.pad(-sliding, ((contacts, moves + others), (2 * contacts, others)))
 
 
-def in_order(x: Unknowns) -> np.ndarray:
+def in_order(x: Unknowns) -> Array:
     """Unknowns or residuals in the order of :func:`full_slopes`, shape (n,)."""
     parts = (x.normal, x.tangential, x.displacement, x.turn, x.pin, x.interference)
-    return np.concatenate([np.asarray(part) for part in parts])
+    return xp.concatenate([xp.ravel(part) for part in parts])
 
 
-def _relative(machine: Machine, lobes: Lobes, speed: np.ndarray) -> float:
-    return float(speed[lobes.body] - speed[machine.drive.layout.carrier])
+def _relative(machine: Machine, lobes: Lobes, speed: Array) -> Array:
+    return speed[lobes.body] - speed[machine.drive.layout.carrier]
 
 
-def _by_forms(rolling: RollingBalance, forms: Sequence[Form]) -> np.ndarray:
-    """Slopes of all equations by pairs of forms, the real and imaginary part of a wave, shape (waves, n)."""
+def _at_contacts(machine: Machine, lobes: Lobes) -> Array:
+    """Form of a harmonic at both surfaces of each contact, then its slopes there, shape (4 contacts,) [-]."""
+    first, second = waves_at_contacts(machine.drive, lobes)
+    turned = 1j * lobes.harmonic
+    return xp.concatenate([first, second, turned * first, turned * second])
+
+
+def _by_form(rolling: RollingBalance) -> Array:
+    """Slopes of all equations by the form at both surfaces of each contact and its slopes, shape (n, 4 contacts)."""
     machine, task, (x, responses, slides) = rolling
 
-    def misfits(form: Form) -> Unknowns:
-        return state_misfits(with_form(machine, form), task, 0, slides, x, responses).all
+    def misfits(numbers: Array) -> Array:
+        form = Form(*numbers.reshape(4, -1))
+        return in_order(state_misfits(with_form(machine, form), task, 0, slides, x, responses).all)
 
-    _, directions = value_and_slopes(misfits, (_round(machine),), [(form,) for form in forms])
-    rows = np.array([in_order(direction) for direction in directions])
-    return rows[0::2] + 1j * rows[1::2]
+    return jacobian(misfits, xp.zeros_like(xp.tile(x.normal, 4)))
 
 
 def _round(machine: Machine) -> Form:
@@ -168,56 +229,45 @@ def _round(machine: Machine) -> Form:
     return Form(*(xp.zeros(len(machine.drive.contacts)) for _ in range(4)))
 
 
-def _ripples_of(
-    rolling: RollingBalance,
-    found: ResponsesAndSlopes,
-    frequency: np.ndarray,
-    solution: np.ndarray,
-    forms: Sequence[Form],
-) -> Ripples:
+def _ripples_of(rolling: RollingBalance, solved: SolvedWaves) -> Ripples:
     """What the solutions of all waves mean."""
     machine, _, (x, _, _) = rolling
     contacts = len(machine.drive.contacts)
-    ends = np.cumsum([contacts, contacts, x.displacement.size, x.turn.size, x.pin.size])
-    over = np.split(solution, ends, axis=1)
-    reference = np.asarray(machine.laws.reference_force)
-    normal, tangential = over[0] * reference, over[1] * np.asarray(machine.friction) * reference
-    pin = over[4] * float(machine.largest)
-    layout = machine.drive.layout
+    ends = np.cumsum([2 * contacts, x.displacement.size, x.turn.size, x.pin.size])
+    over = np.split(np.asarray(solved.unknowns), ends, axis=1)
+    normal, tangential = (np.asarray(each) for each in solved.forces(machine))
+    pin = over[3] * float(machine.largest)
     return Ripples(
-        frequency=frequency,
+        frequency=np.asarray(solved.frequency),
         normal=normal,
         tangential=tangential,
-        slip=_slip(rolling, found, normal, tangential),
+        slip=np.asarray(slip_of_waves(rolling, solved)),
         pin=pin[:, : len(machine.drive.pinned)],
-        displacement=over[2] * float(machine.length),
-        speed=over[3] @ layout.unit[layout.turning],
-        input_torque=_input_torque(rolling, found, forms, (normal, tangential, pin)),
+        displacement=over[1] * float(machine.length),
+        speed=np.asarray(solved.speed(machine)),
+        input_torque=_input_torque(rolling, solved, (normal, tangential, pin)),
     )
 
 
-def _slip(
-    rolling: RollingBalance, found: ResponsesAndSlopes, normal: np.ndarray, tangential: np.ndarray
-) -> np.ndarray:
-    """Slopes of the tangential forces, without signs, over what the contacts bear, shape (waves, contacts)."""
+def slip_of_waves(rolling: RollingBalance, solved: SolvedWaves) -> Array:
+    """Slopes of the tangential forces, without signs, over what the contacts bear, shape (waves, contacts) [1/m]."""
+    normal, tangential = solved.forces(rolling.machine)
     _, force = contact_forces(rolling.machine, rolling.balance.unknowns)
-    bears = np.asarray(found.value.capacity)
-    more = normal * np.asarray(found.by_normal.capacity) + tangential * np.asarray(
-        found.by_tangential.capacity
-    )
-    share = np.abs(force) / bears
-    return (np.sign(force) * tangential - share * more) / bears
+    found = solved.responses
+    bears = found.value.capacity
+    share = abs(force) / bears
+    by_normal = -share * found.by_normal.capacity
+    by_tangential = xp.sign(force) - share * found.by_tangential.capacity
+    return (as_complex(by_normal) * normal + as_complex(by_tangential) * tangential) / as_complex(bears)
 
 
 def _input_torque(
-    rolling: RollingBalance,
-    found: ResponsesAndSlopes,
-    forms: Sequence[Form],
-    forces: tuple[np.ndarray, np.ndarray, np.ndarray],
+    rolling: RollingBalance, solved: SolvedWaves, forces: tuple[np.ndarray, np.ndarray, np.ndarray]
 ) -> np.ndarray:
     """Torque at the input in the sense in which it turns, shape (waves,)."""
     machine, task, (x, responses, _) = rolling
     normal, tangential, pin = forces
+    found = solved.responses
     resistance = Resistance(
         *(
             normal * np.asarray(by_normal) + tangential * np.asarray(by_tangential)
@@ -244,8 +294,9 @@ def _input_torque(
             pin[wave],
             of_leaves(lambda rows, k=wave: rows[k], resistance),
         )
-        for part, form in zip((np.real, np.imag), forms[2 * wave : 2 * wave + 2], strict=True):
-            directions.append((form, *of_leaves(part, moved)))
+        form = Form(*np.asarray(solved.forms[wave]).reshape(4, -1))
+        for part in (np.real, np.imag):
+            directions.append((of_leaves(part, form), *of_leaves(part, moved)))
     _, slopes = value_and_slopes(torque, at, directions)
     values = np.array([float(slope) for slope in slopes])
     return values[0::2] + 1j * values[1::2]

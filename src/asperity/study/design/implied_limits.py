@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from asperity.errors import InputError
 from asperity.joint_file.any_joint import rows_of_file
 from asperity.joint_file.si_tables import AnyCase, Values
 from asperity.results import Result
@@ -34,7 +35,7 @@ def implied_limits(
             if not any((c.name, c.at_most, c.rows) == (name, at_most, rows) for c in stated):
                 limit = LEAST_CLEARANCE if name == "clearance" else bound
                 yield Constraint(name, at_most, limit, rows, implied=True)
-    for name, at_most, limit in (*_of_rows(results), *_of_life(case)):
+    for name, at_most, limit in (*_of_rows(results), *_of_life(case), *_of_turn(case)):
         if name not in results:
             continue
         taken = {row for c in stated if (c.name, c.at_most) == (name, at_most) for row in c.rows}
@@ -55,10 +56,28 @@ def _of_rows(results: Mapping[str, Result]) -> Iterator[tuple[str, bool, float]]
 
 
 def _of_life(case: AnyCase) -> Iterator[tuple[str, bool, float]]:
-    """The life that the joint file requires of the drive and of its rated bearings, under its duty if it has one."""
+    """The life that the joint file requires of the drive, of its rated bearings, and of its grip under wear."""
     if case.rolling is None or case.rolling.required_life is None:
         return
     life = case.rolling.required_life.value * (1.0 + _INSIDE)
     names = ("duty_life", "bearing_duty_life") if case.duty else ("drive_life", "bearing_life")
     for name in names:
         yield name, False, life
+    if case.wear is None or case.load.cam_force_per_torque is not None:
+        return
+    if case.load.interference is None:
+        raise InputError(
+            "load.preload: a force does not say what wear takes from it, so that rolling.required_life cannot be kept; "
+            "state load.interference, or leave [wear] out of the joint file"
+        )
+    yield "life_wear", False, life
+
+
+def _of_turn(case: AnyCase) -> Iterator[tuple[str, bool, float]]:
+    """The transmission error that the joint file allows, and that no contact slips within a turn."""
+    if case.form is None:
+        return
+    yield "turn_slip_ratio", True, 1.0 - _INSIDE
+    if case.rolling is not None and case.rolling.allowed_transmission_error is not None:
+        allowed = case.rolling.allowed_transmission_error.value
+        yield "transmission_error", True, allowed * (1.0 - _INSIDE)
