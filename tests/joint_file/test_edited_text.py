@@ -272,6 +272,22 @@ def test_an_rz_and_the_shares_of_a_file(joint_text):
     assert (depth.text, depth.tolerance) == ("1.6 um +- 0.2 um", pytest.approx(0.2e-6))
 
 
+@pytest.mark.parametrize("stated", ['"2e-8 mm^3/(N*m)"', "PARTS"])
+def test_a_wear_coefficient_is_read_and_written_with_its_unit(zou_file, stated):
+    parts = ("sun", "planet", "loading_roller", "ring")
+    each = ", ".join(f'{part} = "2e-17 1/Pa"' for part in parts)
+    text = zou_file.with_name("wear.toml").read_text(encoding="utf-8")
+    text = text.replace(
+        'coefficient = "1e-17 1/Pa" ', f"coefficient = {stated.replace('PARTS', f'{{ {each} }}')} ", 1
+    )
+    case = parse_case(text, source="x")
+    paths = ["wear.coefficient"] if stated != "PARTS" else [f"wear.coefficient.{part}" for part in parts]
+    found = {path: key.value for path, key in numeric_keys(case).items() if path.startswith("wear.")}
+    assert found == dict.fromkeys(paths, pytest.approx(2e-17, rel=1e-12, abs=0.0))
+    without_text = joint_file_text(case.with_text(""), {}, comment="")
+    assert parse_case(without_text, source="x") == case
+
+
 def test_paths_of_one_contact_and_of_other_keys():
     assert entered_key_at("surface.pr.mean_roughness_depth", "planetary").unit == "um"
     assert entered_key_at("duty.12.share", "wedge").unit == "1"

@@ -62,6 +62,23 @@ def test_an_rz_and_the_shares_are_entered_and_no_numbers_of_charts(joint_text):
     assert stated["lists"]["duty"]["of_file"] == []
 
 
+@pytest.mark.parametrize("more", [{}, {"wear.coefficient": "3e-17 1/Pa"}])
+def test_a_wear_coefficient_is_entered_with_its_unit(zou_file, more):
+    request = JointRequest("x", zou_file.with_name("wear.toml").read_text(encoding="utf-8"), more)
+    stated = stated_values(request.case(), request.file_tables)["numbers"]["wear.coefficient"]
+    value = pytest.approx(3e-17 if more else 1e-17, rel=1e-14, abs=0.0)
+    text = "3e-17 1/Pa" if more else "1e-17 1/Pa"
+    assert (stated["value"], stated["si"], stated["tolerance"]) == (value, value, 0.0)
+    assert ("[wear]" in request.file_text(), text in request.file_text()) == (True, True)
+
+
+def test_a_wear_coefficient_adds_its_section_and_takes_it_away(zou_file):
+    without = zou_file.with_name("tutorial_joint.toml").read_text(encoding="utf-8")
+    added = JointRequest("x", without, {"wear.coefficient": "3e-17 1/Pa"}).file_text()
+    assert JointRequest("x", added).case().wear.coefficient.value == pytest.approx(3e-17, rel=1e-14, abs=0.0)
+    assert "[wear]" not in JointRequest("x", added, {"wear.coefficient": ""}).file_text()
+
+
 def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
     choices = stated_values(case, {})["choices"]
     assert choices["model.contact_factor"] == "printed" or choices["model.contact_factor"] == "unity"

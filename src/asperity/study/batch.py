@@ -15,7 +15,7 @@ import json
 import math
 import os
 import threading
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -235,25 +235,33 @@ def _evaluate_measured(
     return status, {name: result_values[name] for name in results}
 
 
-def count_of_branches(values: Values) -> str | None:
-    """Path of the number of planets, or of rollers in a row, where the sections ``[[branch]]`` state it, too."""
+def fixed_count(values: Values, results: Iterable[str]) -> str | None:
+    """Path of the number of planets, or of rollers in a row, where it cannot vary; None where it can.
+
+    Sections ``[[branch]]`` state it, too, and results of form errors are those of a drive with a known number.
+    """
     sectors = drive_type_of(values).sectors
-    return f"drive.{sectors.key}" if "branch" in values and sectors is not None else None
+    fixed = "branch" in values or ("form" in values and _of_turn(results))
+    return f"drive.{sectors.key}" if fixed and sectors is not None else None
+
+
+def _of_turn(results: Iterable[str]) -> list[str]:
+    return [name for name in results if RESULTS[name].group == "accuracy"]
 
 
 def _refuse_count(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> None:
-    sectors = drive_type_of(values).sectors
-    of_turn = [name for name in results if RESULTS[name].group == "accuracy"]
-    if "form" in values and sectors is not None and f"drive.{sectors.key}" in paths and of_turn:
-        raise InputError(
-            f"drive.{sectors.key} cannot vary with {of_turn[0]}: form errors are those of parts in a drive of a known "
-            "number of sectors; leave it out, or ask for other results"
-        )
-    if (count := count_of_branches(values)) in paths:
+    count = fixed_count(values, results)
+    if count not in paths:
+        return
+    if "branch" in values:
         raise InputError(
             f"{count} cannot vary: the file has {len(values['branch'])} sections [[branch]], one for each; leave them "
             "out to vary it"
         )
+    raise InputError(
+        f"{count} cannot vary with {_of_turn(results)[0]}: form errors are those of parts in a drive of a known "
+        "number of sectors; leave it out, or ask for other results"
+    )
 
 
 def _outside(key: Key, column: np.ndarray) -> np.ndarray:

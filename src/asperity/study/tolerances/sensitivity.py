@@ -27,7 +27,7 @@ from asperity.joint_file.si_tables import AnyCase, NumericKey, si_values, varied
 from asperity.precision import require_double_precision
 from asperity.results import LEVELS, Result, known_result, row_name
 from asperity.results.document import stiffness_unknown_because
-from asperity.study.batch import count_of_branches, derivatives_at
+from asperity.study.batch import derivatives_at, fixed_count
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
 
@@ -95,7 +95,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     Notes
     -----
     One entry for all contacts is one input: all five move together; so do the parts of one size. The number of planets
-    is differentiated as if it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result
+    is differentiated as if it were continuous, unless :func:`asperity.study.batch.fixed_count` has it. Where a result
     has a kink (no torque; two longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()
@@ -106,7 +106,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
     names = tuple(known_result(name, among=allowed, what="differentiable result") for name in asked)
     keys = varied_keys(case)
-    keys.pop(count_of_branches(tables) or "", None)
+    keys.pop(fixed_count(tables, names) or "", None)
     point = {path: np.array([entry.value]) for path, entry in keys.items()}
     refuse_impossible_joint(with_own_branches(case))
     sizes = sizes_of_parts(tables, keys)
