@@ -239,7 +239,7 @@ class Job(_Described):
     """A job."""
 
     id: str
-    kind: Literal["window", "film", "sensitivity", "uncertainty", "design"]
+    kind: Literal["window", "film", "wear", "sensitivity", "uncertainty", "design"]
     name: str = Field(description="Name of the joint.")
     state: Literal["waiting", "running", "done", "failed", "stopped"]
     done: int

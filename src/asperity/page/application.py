@@ -58,7 +58,8 @@ ASSETS: dict[str, tuple[str, str]] = {
                 "results",
                 "blocks",
             ),
-            *("curves", "plots", "chart", "upload", "jobs", "compose", "compare", "drawing", "numbers"),
+            *("curves", "courses", "plots", "chart", "upload", "jobs", "compose", "compare", "drawing"),
+            "numbers",
         )
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),

@@ -24,6 +24,7 @@ Report = Callable[[int, int], None]
 #: Kind of a job → the module that has the function of that name; it is imported only when such a job runs.
 _MODULES = {
     "film": "film_job",
+    "wear": "wear_job",
     "window": "window_job",
     "sensitivity": "study_jobs",
     "uncertainty": "study_jobs",

@@ -138,6 +138,12 @@ class FilmJob(Body):
     kind: Literal["film"]
 
 
+class WearJob(Body):
+    """Wear over the years: when the first contact slides, and what is left until then."""
+
+    kind: Literal["wear"]
+
+
 class SensitivityJob(Body):
     """The influence of every number of the joint file."""
 
@@ -161,7 +167,9 @@ class DesignJob(Body):
     file: str = Field("design.toml", description="Name of the design file, for messages.")
 
 
-AskedJob = Union[WindowJob, FilmJob, SensitivityJob, UncertaintyJob, DesignJob]  # noqa: UP007  # pydantic names its members
+AskedJob = Union[  # noqa: UP007  # pydantic names its members
+    WindowJob, FilmJob, WearJob, SensitivityJob, UncertaintyJob, DesignJob
+]
 
 
 class JobRequest(Request):

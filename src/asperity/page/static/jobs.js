@@ -2,10 +2,13 @@
 
 import { elements } from "/blocks.js";
 import { Composer } from "/compose.js";
+import { wearCurves } from "/courses.js";
 import { element, number } from "/numbers.js";
+import { fitTables } from "/panels.js";
 
-const TITLES = { window: "Window of the torque", film: "Oil film", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
-const UNITS = { window: "steps", film: "temperatures", sensitivity: "", uncertainty: "samples", design: "searches" };
+const TITLES = { window: "Window of the torque", film: "Oil film", wear: "Wear over the years", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
+const UNITS = { window: "steps", film: "temperatures", wear: "", sensitivity: "", uncertainty: "samples", design: "searches" };
+const COMPILED = ["sensitivity", "uncertainty", "design"]; // what computes many joints at once
 const STATES = { waiting: "waits", running: "runs", done: "finished", failed: "failed", stopped: "stopped" };
 
 export class JobList {
@@ -39,6 +42,7 @@ export class JobList {
       element("div", { class: "chart-fields" },
         element("div", { class: "field" }, element("span", {}, "Torque over temperature or preload"), begin("Window", "window", "begin-window", () => ({}))),
         element("div", { class: "field" }, element("span", {}, "Oil and asperities over speed"), begin("Film", "film", "begin-film", () => ({}))),
+        element("div", { class: "field" }, element("span", {}, "Preload and capacity over the years"), begin("Wear", "wear", "begin-wear", () => ({}))),
         element("div", { class: "field" }, element("span", {}, "Elasticities of every number"), begin("What matters most", "sensitivity", "begin-sensitivity", () => ({}))),
         field("job-samples", "Samples", this.samples),
         field("job-distribution", "Distribution of tolerances", this.distribution),
@@ -52,9 +56,10 @@ export class JobList {
     );
   }
 
-  /** The joint on the page; results of another one are marked. */
-  follow(state, answer) {
+  /** The joint on the page; results of another one are marked. `baselineState` is that of the pinned baseline, or null. */
+  follow(state, answer, baselineState) {
     this.state = state;
+    this.baselineState = baselineState;
     this.composer.follow(state, answer);
     for (const item of this.items) item.other.hidden = item.state === state;
   }
@@ -122,7 +127,7 @@ export class JobList {
   tell(item, job) {
     item.node.dataset.state = job.state;
     const left = job.state === "running" && job.done > 0 && job.total > job.done ? `, about ${number(Math.ceil((job.seconds * (job.total - job.done)) / job.done), 2)} s left` : "";
-    const begins = job.state === "running" && !job.done ? ": starts, and compiles if it is the first of its kind (up to a minute)" : "";
+    const begins = job.state === "running" && !job.done ? `: starts${COMPILED.includes(job.kind) ? ", and compiles if it is the first of its kind (up to a minute)" : ""}` : "";
     const count = job.total ? `, ${job.done} of ${job.total} ${UNITS[job.kind]}` : "";
     const time = job.seconds ? `, ${number(job.seconds, 3)} s` : "";
     item.text.textContent = `${job.name}: ${STATES[job.state]}${begins}${count}${time}${left}${job.state === "failed" ? `. ${job.message}` : ""}`;
@@ -137,8 +142,16 @@ export class JobList {
     item.stop.hidden = item.progress.hidden = true;
     if (job.state !== "done") return;
     const { result } = await (await fetch(`/api/jobs/${job.id}`)).json();
-    const parts = { window: (found) => elements(found.views), film: (found) => elements(found.views), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
+    item.result = result;
+    const parts = { window: (found) => elements(found.views), film: (found) => elements(found.views), wear: (found) => drawn(found, wearCurves, this.before(item, job)), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
     item.body.replaceChildren(...parts, element("a", { class: "button", href: `/api/jobs/${job.id}/result.json`, download: true }, "Save JSON"));
+    fitTables(item.body);
+  }
+
+  /** What the same study found of the pinned baseline, if it was asked of it. */
+  before(item, job) {
+    if (!this.baselineState || item.state === this.baselineState) return null;
+    return this.items.find((each) => each.node.dataset.kind === job.kind && each.state === this.baselineState && each.result)?.result ?? null;
   }
 
   designed(found, item) {
@@ -146,6 +159,12 @@ export class JobList {
     take.addEventListener("click", () => this.takeOver({ name: item.state.name, toml: found.joint_text }));
     return [...elements(found.views), take, " "];
   }
+}
+
+/** The first figures of a view, its curves, and everything else. */
+function drawn(found, curves, before) {
+  const [first, ...others] = found.views;
+  return [...elements([first]), ...curves(found, before), ...elements(others)];
 }
 
 /** Elasticities of one result after the other. */

@@ -160,7 +160,7 @@ async function askOnce(state) {
 
 /** What is computed beside the joint follows it. */
 function followed() {
-  jobs.follow(shown, answer);
+  jobs.follow(shown, answer, baseline ? baselineState : null);
   comparison.follow(shown);
   chart.follow(shown, answer, baseline ? { answer: baseline, state: baselineState } : null);
 }

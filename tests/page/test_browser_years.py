@@ -1,0 +1,49 @@
+"""Wear of a joint on the page, in a real browser: figures, curves and tables, and a pinned baseline behind them."""
+
+from pathlib import Path
+
+import pytest
+from browser import write
+
+import asperity
+
+pytestmark = pytest.mark.slow
+
+WORN = Path(__file__).parents[2] / "examples" / "wear.toml"
+
+
+@pytest.fixture(scope="module")
+def served(served_text):
+    """Takes the place of the server of the tutorial's joint."""
+    return served_text(WORN.read_text(encoding="utf-8"))
+
+
+def begun(page, kind, count):
+    """Run a study; how many of this kind then stand on the page."""
+    page.locator(f"#begin-{kind}").click()
+    done = f".job[data-kind={kind}][data-state=done]:has(.job-result a)"
+    page.wait_for_function(
+        "([which, count]) => document.querySelectorAll(which).length === count",
+        arg=[done, count],
+        timeout=120_000,
+    )
+    return page.locator(done).first
+
+
+def test_wear_has_its_hours_first_and_the_baseline_behind_its_curves(page):
+    page.locator("#jobs > summary").click()
+    job = begun(page, "wear", 1)
+    first = job.locator(".job-result tbody tr").first
+    hours = asperity.wear(asperity.load(WORN)).document["wear"]["first_slide_hours"]
+    assert first.inner_text().split() == ["first", "contact", "slides", f"{hours:.0f}", "h", "sp", "slides"]
+    titles = job.locator(".plots figcaption").all_inner_texts()
+    assert titles == ["Preload", "Interference", "Torque of the first slide", "Drift"]
+    assert job.locator(".plots .capacity").count() == 2 * len(titles)  # the required life, with its legend
+    assert job.locator(".ghost").count() == 0
+    page.locator("#pin").click()
+    page.locator("#controls details[data-group=wear] > summary").click()
+    write(page, "wear.coefficient", "2e-17 1/Pa")
+    job = begun(page, "wear", 2)
+    assert f"{hours / 2.0:.0f} h" in job.locator(".job-result tbody tr").first.inner_text()
+    assert job.locator(".plots path.ghost:not(.sample path)").count() == len(titles)
+    assert "The required life of 10000 h lies beyond." in job.inner_text()
