@@ -1,4 +1,4 @@
-"""Wear of a joint on the page, in a real browser: figures, curves and tables, and a pinned baseline behind them."""
+"""Wear and accuracy of a joint on the page, in a real browser: figures, curves, tables, and a baseline behind them."""
 
 from pathlib import Path
 
@@ -12,10 +12,22 @@ pytestmark = pytest.mark.slow
 WORN = Path(__file__).parents[2] / "examples" / "wear.toml"
 
 
+#: Form errors of which three waves of the ring reach the carrier, and two do not: its planets are three.
+FORM = """
+[[form]]
+part = "ring"
+harmonics = { 2 = "1 um", 3 = "0.5 um" }
+
+[[form]]
+part = "planet"
+harmonics = { 2 = "0.3 um" }
+"""
+
+
 @pytest.fixture(scope="module")
 def served(served_text):
     """Takes the place of the server of the tutorial's joint."""
-    return served_text(WORN.read_text(encoding="utf-8"))
+    return served_text(WORN.read_text(encoding="utf-8") + FORM)
 
 
 def begun(page, kind, count):
@@ -47,3 +59,21 @@ def test_wear_has_its_hours_first_and_the_baseline_behind_its_curves(page):
     assert f"{hours / 2.0:.0f} h" in job.locator(".job-result tbody tr").first.inner_text()
     assert job.locator(".plots path.ghost:not(.sample path)").count() == len(titles)
     assert "The required life of 10000 h lies beyond." in job.inner_text()
+
+
+def test_the_accuracy_has_a_line_for_every_order_and_both_directions(page):
+    page.locator("#jobs > summary").click()
+    page.locator("#job-reverse").check()
+    job = begun(page, "accuracy", 1)
+    assert job.locator(".job-result tbody tr").first.inner_text().startswith("transmission error")
+    stems = job.locator(".plots .dot title")
+    assert [text.split(":")[0] for text in stems.all_text_contents()] == ["ring, 3 waves", "planet, 2 waves"]
+    assert "order 3," in stems.first.text_content()
+    assert job.locator(".plots figure").count() == 4
+    assert "difference at the same position" in job.inner_text()
+    assert (
+        job.locator('.plots svg[role="img"]')
+        .nth(1)
+        .get_attribute("aria-label")
+        .startswith("Transmission error")
+    )

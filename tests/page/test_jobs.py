@@ -158,7 +158,7 @@ def test_a_design_takes_the_joint_of_the_page(joint_text):
         (None, "job: a JSON object with 'kind' is needed, got None"),
         (
             {"kind": "mine"},
-            "job.kind: 'mine' is not one of design, film, sensitivity, uncertainty, wear, window",
+            "job.kind: 'mine' is not one of accuracy, design, film, sensitivity, uncertainty, wear, window",
         ),
         ({"kind": "sensitivity", "samples": 3}, "job: unknown entry 'samples'; known are kind"),
         ({"kind": "uncertainty", "samples": 3}, "from 100 to 1000000"),

@@ -47,7 +47,7 @@ def test_numbers_stay_what_they_are():
             {"toml": "x", "chart": CHART | {"family": {"over": "a", "values": ["1", 1]}}},
             "chart.family.values.2: text of 1 to 200 characters is needed, got 1",
         ),
-        (JobRequest, {"toml": "x", "job": {}}, "job.kind: None is not one of design, film, sensitivity, "),
+        (JobRequest, {"toml": "x", "job": {}}, "job.kind: None is not one of accuracy, design, film, "),
         (JobRequest, {"toml": "x", "job": {"kind": "design"}}, "job.design: text is needed, it is missing"),
         (CompareRequest, {"one": {}, "other": {}}, "one: give the joint either as 'toml'"),
         (MeasurementQuery, {"lay": "up"}, "lay: 'up' is not one of rolling, axis, isotropic"),

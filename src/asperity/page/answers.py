@@ -239,7 +239,7 @@ class Job(_Described):
     """A job."""
 
     id: str
-    kind: Literal["window", "film", "wear", "sensitivity", "uncertainty", "design"]
+    kind: Literal["window", "film", "wear", "accuracy", "sensitivity", "uncertainty", "design"]
     name: str = Field(description="Name of the joint.")
     state: Literal["waiting", "running", "done", "failed", "stopped"]
     done: int
@@ -252,5 +252,6 @@ class JobWithResult(Job):
     """A job, and what came out."""
 
     result: Document | None = Field(
-        description="As the command of the same name prints it in JSON, with the blocks to be shown in 'views'."
+        description="As the command of the same name prints it in JSON, with the blocks to be shown in 'views', and "
+        "of an accuracy one turn of the output in 'over_turn'."
     )

@@ -25,6 +25,7 @@ Report = Callable[[int, int], None]
 _MODULES = {
     "film": "film_job",
     "wear": "wear_job",
+    "accuracy": "accuracy_job",
     "window": "window_job",
     "sensitivity": "study_jobs",
     "uncertainty": "study_jobs",

@@ -144,6 +144,13 @@ class WearJob(Body):
     kind: Literal["wear"]
 
 
+class AccuracyJob(Body):
+    """Transmission error over a turn of the output, of a joint that states form errors."""
+
+    kind: Literal["accuracy"]
+    reverse: bool = Field(False, description="The other direction of rotation, too.")
+
+
 class SensitivityJob(Body):
     """The influence of every number of the joint file."""
 
@@ -168,7 +175,7 @@ class DesignJob(Body):
 
 
 AskedJob = Union[  # noqa: UP007  # pydantic names its members
-    WindowJob, FilmJob, WearJob, SensitivityJob, UncertaintyJob, DesignJob
+    WindowJob, FilmJob, WearJob, AccuracyJob, SensitivityJob, UncertaintyJob, DesignJob
 ]
 
 

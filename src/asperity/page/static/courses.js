@@ -1,9 +1,12 @@
-// Curves of a study over time or over a turn, of its own document: wear over the years.
+// Curves of a study of its own document: wear over the years, accuracy over a turn.
 
 import { arcmin, element, number, scaled } from "/numbers.js";
 import { linePlot } from "/plots.js";
 
 const CAPACITY = "torque_capacity_Nm"; // computed at some points of the course alone
+const ARCSEC = 648000 / Math.PI;
+const NOTHING = 1e-6; // of the largest transmission error: rounding
+const KINDS = ["one", "two", "three", "four", "five"];
 const same = (curve) => curve;
 
 /** Curves beside each other. */
@@ -49,4 +52,56 @@ function ends(found, known, last) {
 function without({ x, y }) {
   const good = y.map((value, i) => [x[i], value]).filter(([, value]) => value !== null);
   return { x: good.map(([at]) => at), y: good.map(([, value]) => value) };
+}
+
+/** Spectrum of the transmission error, and the transmission error and the input torque over one turn of the output. */
+export function accuracyCurves({ accuracy: found, over_turn: turn }, before) {
+  const output = turn.output.replaceAll("_", " ");
+  const degrees = (of) => of.angle_rad.map((angle) => (angle * 180) / Math.PI);
+  const unknown = found.components.some((one) => one.phase_rad === null);
+  const over = (title, y, name, key, factor) =>
+    linePlot({
+      title,
+      x: `angle of the ${output}, °`,
+      xAt: [0, 60, 120, 180, 240, 300, 360],
+      y,
+      series: [
+        ...(before ? [{ name: "baseline", kind: "one", ghost: true, x: degrees(before.over_turn), y: before.over_turn[key].map((value) => value * factor) }] : []),
+        { name, kind: "one", x: degrees(turn), y: turn[key].map((value) => value * factor) },
+      ],
+      note: unknown ? "Phases that the file does not state are drawn as 0." : "",
+    });
+  return plots(
+    spectrum(found, output),
+    over("Transmission error over one turn", "arcsec", "transmission error", "transmission_error_rad", ARCSEC),
+    over("Input torque over one turn", "N·m", "input torque", "input_torque_Nm", 1),
+    over(`Normal force of ${turn.contact.replaceAll("_", " ")} over one turn`, "N", "of all contacts the one that swings most", "normal_N", 1),
+  );
+}
+
+/** What each form error adds to the transmission error, over its order. */
+function spectrum(found, output) {
+  const size = (one) => one.transmission_error_rad * ARCSEC;
+  const largest = Math.max(...found.components.map(size));
+  const seen = new Set();
+  const shown = found.components.filter((one) => {
+    const key = [one.part, one.harmonic, size(one).toPrecision(4)].join(" ");
+    if (seen.has(key) || !(size(one) > NOTHING * largest)) return false;
+    return seen.add(key); // those of the other sectors are alike
+  });
+  const name = (one) => `${one.part.replaceAll("_", " ")}, ${one.harmonic} ${one.harmonic === 1 ? "wave" : "waves"}: order ${number(one.order)}, ${number(size(one))} arcsec`;
+  const parts = [...new Set(shown.map((one) => one.part))];
+  return linePlot({
+    title: "Transmission error by order",
+    x: `order: waves per turn of the ${output}`,
+    y: "amplitude of each, arcsec",
+    zero: true,
+    stems: true,
+    empty: "no form error reaches the output",
+    series: parts.map((part, i) => {
+      const own = shown.filter((one) => one.part === part);
+      return { name: part.replaceAll("_", " "), kind: KINDS[i % KINDS.length], x: own.map((one) => one.order), y: own.map(size), names: own.map(name) };
+    }),
+    note: shown.length ? `Largest: ${name(shown.reduce((one, other) => (size(other) > size(one) ? other : one)))}.` : "",
+  });
 }

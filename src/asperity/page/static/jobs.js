@@ -2,12 +2,12 @@
 
 import { elements } from "/blocks.js";
 import { Composer } from "/compose.js";
-import { wearCurves } from "/courses.js";
+import { accuracyCurves, wearCurves } from "/courses.js";
 import { element, number } from "/numbers.js";
 import { fitTables } from "/panels.js";
 
-const TITLES = { window: "Window of the torque", film: "Oil film", wear: "Wear over the years", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
-const UNITS = { window: "steps", film: "temperatures", wear: "", sensitivity: "", uncertainty: "samples", design: "searches" };
+const TITLES = { window: "Window of the torque", film: "Oil film", wear: "Wear over the years", accuracy: "Accuracy over a turn", sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
+const UNITS = { window: "steps", film: "temperatures", wear: "", accuracy: "", sensitivity: "", uncertainty: "samples", design: "searches" };
 const COMPILED = ["sensitivity", "uncertainty", "design"]; // what computes many joints at once
 const STATES = { waiting: "waits", running: "runs", done: "finished", failed: "failed", stopped: "stopped" };
 
@@ -25,6 +25,7 @@ export class JobList {
       button.addEventListener("click", () => this.begin({ kind, ...options() }));
       return button;
     };
+    this.reverse = element("input", { type: "checkbox", id: "job-reverse" });
     this.samples = element("input", { type: "number", id: "job-samples", min: 100, max: 1000000, value: 1000 });
     this.distribution = element(
       "select",
@@ -43,6 +44,7 @@ export class JobList {
         element("div", { class: "field" }, element("span", {}, "Torque over temperature or preload"), begin("Window", "window", "begin-window", () => ({}))),
         element("div", { class: "field" }, element("span", {}, "Oil and asperities over speed"), begin("Film", "film", "begin-film", () => ({}))),
         element("div", { class: "field" }, element("span", {}, "Preload and capacity over the years"), begin("Wear", "wear", "begin-wear", () => ({}))),
+        element("div", { class: "field" }, element("span", {}, "Transmission error over a turn"), element("div", { class: "beside" }, begin("Accuracy", "accuracy", "begin-accuracy", () => ({ reverse: this.reverse.checked })), element("label", { for: "job-reverse" }, this.reverse, " both directions"))),
         element("div", { class: "field" }, element("span", {}, "Elasticities of every number"), begin("What matters most", "sensitivity", "begin-sensitivity", () => ({}))),
         field("job-samples", "Samples", this.samples),
         field("job-distribution", "Distribution of tolerances", this.distribution),
@@ -143,7 +145,7 @@ export class JobList {
     if (job.state !== "done") return;
     const { result } = await (await fetch(`/api/jobs/${job.id}`)).json();
     item.result = result;
-    const parts = { window: (found) => elements(found.views), film: (found) => elements(found.views), wear: (found) => drawn(found, wearCurves, this.before(item, job)), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
+    const parts = { window: (found) => elements(found.views), film: (found) => elements(found.views), wear: (found) => drawn(found, wearCurves, this.before(item, job)), accuracy: (found) => drawn(found, accuracyCurves, this.before(item, job)), sensitivity, uncertainty, design: (found) => this.designed(found, item) }[job.kind](result);
     item.body.replaceChildren(...parts, element("a", { class: "button", href: `/api/jobs/${job.id}/result.json`, download: true }, "Save JSON"));
     fitTables(item.body);
   }

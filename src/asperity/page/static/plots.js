@@ -64,9 +64,10 @@ function tickTexts(values) {
 /**
  * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one"
  * to "five", and `mark`: { x, y } a dot on the curve; `point`: { x, y, name } marks the joint itself; `limit`: { x, name } a line across; `shades`: [{ from, to, text }] are parts
- * of the horizontal axis without a result; `dots` marks the points of the curves, which begin at a distance `from` the middle of the horizontal axis.
+ * of the horizontal axis without a result; `dots` marks the points of the curves, which begin at a distance `from` the middle of the horizontal axis;
+ * `stems`: upright lines to the points of each series, whose `names` are said to who points at them; `xAt`: ticks of the horizontal axis.
  */
-export function linePlot({ title, note, x, y, series, point, limit = null, shades = [], log = false, logX = false, zero = false, dots = false, from = 0, size = SMALL, empty }) {
+export function linePlot({ title, note, x, y, series, point, limit = null, shades = [], log = false, logX = false, zero = false, dots = false, stems = false, xAt = null, from = 0, size = SMALL, empty }) {
   const { width: WIDTH, height: HEIGHT } = size;
   const figure = element("figure", { class: "panel plot" }, element("figcaption", {}, title));
   const good = (value) => value !== null && Number.isFinite(value) && (!log || value > 0);
@@ -79,7 +80,7 @@ export function linePlot({ title, note, x, y, series, point, limit = null, shade
     return figure;
   }
   const shaded = shades.flatMap((shade) => [shade.from, shade.to]);
-  const [xLow, xHigh] = range([...all.map((pair) => pair[0]), ...shaded, ...(from ? [0] : [])]);
+  const [xLow, xHigh] = range([...all.map((pair) => pair[0]), ...shaded, ...(from || stems ? [0] : []), ...(stems ? all.map((pair) => 1.03 * pair[0]) : [])]);
   let [yLow, yHigh] = range(all.map((pair) => pair[1]), { zero });
   const margin = log ? (yHigh / yLow) ** 0.06 : 0.06 * (yHigh - yLow);
   if (log) [yLow, yHigh] = [yLow / margin, yHigh * margin];
@@ -98,7 +99,7 @@ export function linePlot({ title, note, x, y, series, point, limit = null, shade
       svg("rect", { class: "shade", x: px(shade.from), y: TOP, width, height: HEIGHT - TOP - BOTTOM }, svg("title", {}, `no result: ${shade.text}`)),
     );
   }
-  const xTicks = logX ? decades(xLow, xHigh) : ticks(xLow, xHigh, WIDTH > 500 ? 6 : 5);
+  const xTicks = xAt ?? (logX ? decades(xLow, xHigh) : ticks(xLow, xHigh, WIDTH > 500 ? 6 : 5));
   const xTexts = logX ? xTicks.map((value) => number(value, 2)) : tickTexts(xTicks);
   xTicks.forEach((value, i) => {
     drawn.append(
@@ -119,7 +120,8 @@ export function linePlot({ title, note, x, y, series, point, limit = null, shade
   );
   const marked = limit && limit.x > xLow && limit.x <= xHigh ? limit : null;
   if (marked) drawn.append(svg("line", { class: "capacity", x1: px(marked.x), x2: px(marked.x), y1: TOP, y2: HEIGHT - BOTTOM }));
-  series.forEach((line) => {
+  if (stems) drawn.append(...upright(series, px, py));
+  else series.forEach((line) => {
     // a gap where there is no value
     let path = "";
     let pen = "M";
@@ -136,18 +138,28 @@ export function linePlot({ title, note, x, y, series, point, limit = null, shade
     drawn.append(svg("circle", { class: `dot ${line.kind}`, cx: px(line.mark.x), cy: py(line.mark.y), r: 5 }));
   }
   if (point && good(point.y)) drawn.append(svg("circle", { class: "point", cx: px(point.x), cy: py(point.y), r: 5 }));
-  figure.append(drawn, legend(series, point, marked));
+  figure.append(drawn, legend(series, point, marked, stems));
   if (note) figure.append(element("p", { class: "note" }, note));
   return figure;
 }
 
-function legend(series, point, marked) {
+/** Lines from zero to the points of all series, the first ones wider: where several stand at one place, all are seen. */
+function upright(series, px, py) {
+  const wider = (i) => 0.9 * (series.length - i);
+  return series.flatMap(({ x, y, kind, names }, i) => x.flatMap((at, place) => {
+    const stem = svg("path", { class: `curve stem ${kind}`, d: `M${px(at).toFixed(2)},${py(0).toFixed(2)}V${py(y[place]).toFixed(2)}` });
+    stem.style.strokeWidth = 1.6 + wider(i);
+    return [stem, svg("circle", { class: `dot ${kind}`, cx: px(at), cy: py(y[place]), r: 2.4 + 0.6 * wider(i) }, svg("title", {}, names[place]))];
+  }));
+}
+
+function legend(series, point, marked, stems) {
   const list = element("ul", { class: "legend" });
   for (const line of series) {
     const sample = svg(
       "svg",
       { class: "sample", viewBox: "0 0 28 10", "aria-hidden": "true" },
-      svg("path", { class: `curve ${line.kind}${line.ghost ? " ghost" : ""}`, d: "M0,5H28" }),
+      svg("path", { class: `curve ${stems ? "stem " : ""}${line.kind}${line.ghost ? " ghost" : ""}`, d: "M0,5H28" }),
     );
     list.append(element("li", {}, sample, line.name));
   }
