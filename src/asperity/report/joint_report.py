@@ -22,6 +22,7 @@ from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.joint_file.window import joint_window
 from asperity.report.figures import report_pictures
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
+from asperity.report.years_sections import accuracy_section, wear_section
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
@@ -134,6 +135,8 @@ def joint_report(source: ReportSource) -> Report:
             "Losses over temperature, and the heat that leaves: the joint settles where they meet",
         ),
         *_picture(pictures, "rolling", "Creep, efficiency, drift and life"),
+        *accuracy_section(source.case),
+        *wear_section(source.case),
         *study_sections(source.studies),
         Heading("Inputs"),
         inputs_table(source.case),
