@@ -393,8 +393,8 @@ def test_the_description_covers_every_number_of_the_file(client, joint_text):
     sections = {group["name"] for group in described["groups"]} | {
         each["group"] for each in described["choices"]
     }
-    # the kind of drive is no section, and form errors stay as the file has them
-    assert sections == set(DefaultCase.model_fields) - {"type", "form"}
+    # the kind of drive is no section
+    assert sections == set(DefaultCase.model_fields) - {"type"}
 
 
 def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from browser import write
+from browser import do, field, write
 
 import asperity
 
@@ -59,6 +59,23 @@ def test_wear_has_its_hours_first_and_the_baseline_behind_its_curves(page):
     assert f"{hours / 2.0:.0f} h" in job.locator(".job-result tbody tr").first.inner_text()
     assert job.locator(".plots path.ghost:not(.sample path)").count() == len(titles)
     assert "The required life of 10000 h lies beyond." in job.inner_text()
+
+
+def test_form_errors_are_added_changed_and_taken_away(page):
+    group = page.locator("#controls details[data-group=form]")
+    group.locator("summary").click()
+    assert [field(page, f"form.{n}.part").input_value() for n in (1, 2)] == ["ring", "planet"]
+    do(page, lambda: group.get_by_role("button", name="Add form errors of a part").click())
+    assert field(page, "form.3.part").input_value() == "sun"  # the first that had none
+    do(page, lambda: field(page, "form.3.part").select_option("left_loading_roller"))
+    write(page, "form.3.harmonics.3", "0.2 um")
+    do(page, lambda: group.get_by_role("button", name="Remove part 1").click())
+    assert [field(page, f"form.{n}.part").input_value() for n in (1, 2)] == ["planet", "left_loading_roller"]
+    assert [field(page, f"form.2.harmonics.{n}").input_value() for n in (2, 3)] == ["1 um", "0.2 um"]
+    assert page.locator("#error").is_hidden()
+    do(page, lambda: group.get_by_role("button", name="form: back to the file").click())
+    assert field(page, "form.1.part").input_value() == "ring"
+    assert group.locator("fieldset").count() == 2
 
 
 def test_the_accuracy_has_a_line_for_every_order_and_both_directions(page):

@@ -56,8 +56,8 @@ def planetary_text(zou_file):
 
 
 def test_the_lists_are_those_that_a_file_may_leave_out():
-    assert lists_of(DefaultCase) == {"duty": None, "branch": "drive.planets"}
-    assert lists_of(CASES["planar"]) == {"duty": None, "branch": "drive.sectors"}
+    assert lists_of(DefaultCase) == {"duty": None, "branch": "drive.planets", "form": None}
+    assert lists_of(CASES["planar"]) == {"duty": None, "branch": "drive.sectors", "form": None}
     assert lists_of(CASES["multiroller"])["branch"] == "drive.rollers_per_row"
 
 
@@ -101,6 +101,62 @@ def test_branches_are_as_many_as_planets(planetary_text):
     assert fewer.case() == three.case()
     equal = JointRequest("a.toml", four.file_text(), {"branch": ""})
     assert equal.case().branch is None
+
+
+def test_form_errors_of_a_part_are_added(planetary_text):
+    changes = {
+        "form": "0 0",
+        "form.1.runout": "3 um",
+        "form.1.harmonics.2": "1 um",
+        "form.1.part": "ring",
+        "form.2.part": "planet",
+        "form.2.harmonics.12": "0.1 um",
+        "form.2.phase": "10 deg",
+    }
+    request = JointRequest("a.toml", planetary_text, changes)
+    ring, planet = request.case().form
+    assert (ring.part, ring.amplitudes()) == ("ring", pytest.approx({1: 1.5e-6, 2: 1e-6}))
+    assert (planet.part, planet.amplitudes()) == ("planet", pytest.approx({12: 1e-7}))
+    text = request.file_text()
+    assert JointRequest("a.toml", text).case() == request.case()
+    assert 'part = "ring"\nharmonics = {2 = "1 um"}' in text.replace('runout = "3 um"\n', "")
+    lists = stated_lists(request.case(), tomllib.loads(text))["form"]
+    assert lists["words"] == {"part": ["sun", "planet", "ring"]}
+    assert lists["keys"] == ["runout", "harmonics.2", "harmonics.3", "harmonics.12", "phase"]
+    assert lists["of_file"][0] == {"part": "ring", "runout": "3 um", "harmonics.2": "1 um"}
+
+
+def test_form_errors_change_their_part_and_leave(zou_file):
+    text = zou_file.with_name("accuracy.toml").read_text(encoding="utf-8")
+    changes = {"form": "4 2", "form.1.part": "sun", "form.1.runout": "", "form.2.harmonics.2": ""}
+    request = JointRequest("a.toml", text, changes)
+    sun, planet = request.case().form
+    assert (sun.part, sun.amplitudes()) == ("sun", pytest.approx({2: 1e-6, 3: 5e-7, 6: 2e-7}))
+    assert (planet.part, planet.amplitudes()) == ("planet", pytest.approx({3: 2e-7}))
+    assert JointRequest("a.toml", request.file_text()).case() == request.case()
+    assert JointRequest("a.toml", text, {"form": ""}).case().form is None
+    for wrong, said in (
+        ({"form.1.part": ""}, r"form\.1\.part: this key is missing"),
+        ({"form.9.part": "sun"}, "do not fit the sections"),
+    ):
+        with pytest.raises(InputError, match=said):
+            JointRequest("a.toml", text, wrong).case()
+
+
+@pytest.mark.parametrize(
+    ("drive", "parts"),
+    [
+        (
+            "zou2025",
+            ["sun", "planet", "right_loading_roller", "loading_roller", "left_loading_roller", "ring"],
+        ),
+        ("planar", ["sun", "planet", "right", "left", "ring"]),
+        ("wheel_pair", ["driver", "driven"]),
+    ],
+)
+def test_parts_that_may_have_form_errors_have_one_name_each(zou_file, drive, parts):
+    request = JointRequest("a.toml", zou_file.with_name(f"{drive}.toml").read_text(encoding="utf-8"))
+    assert stated_lists(request.case(), request.file_tables)["form"]["words"] == {"part": parts}
 
 
 def test_another_number_of_planets_alone_is_refused_as_the_file_refuses_it(planetary_text):

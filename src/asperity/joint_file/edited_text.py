@@ -210,13 +210,16 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
 def set_words(document: Any, written: Mapping[str, str]) -> None:
     """Change words in the tables of a joint file before they are checked, such as ``drive.ring_support``."""
     for path, word in written.items():
-        section, name = path.split(".")
+        section, *place, name = path.split(".")
         if not word:
             leave_out(document, path)
             continue
         if section not in document:
             document[section] = _new_section(section, type_of(document))
-        _put(document[section], name, word)
+        table = document[section]
+        for step in place:  # of a list, counted from 1
+            table = table[int(step) - 1]
+        _put(table, name, word)
 
 
 def leave_out(document: Any, path: str) -> None:
@@ -263,7 +266,7 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
             table = table[int(step) - 1]
             continue
         if step not in table:
-            new = tomlkit.table()
+            new: Any = tomlkit.inline_table() if steps[0] == "form" else tomlkit.table()
             # a body names a material of the library, which the file now changes
             if steps[index - 1] == "materials":
                 new["library"] = step

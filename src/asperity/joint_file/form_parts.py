@@ -56,11 +56,11 @@ def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
                 has_axis=not alone
                 or (supported if body.place == "free" else not (input_floats and body.name == drive.input)),
             )
-            names = {part.name}
+            names = [part.name]
             if alone and not kind.is_listed:
                 stated = kind.part(drive.bodies[number].name)
-                names |= {track, stated.size_key, stated.branch or part.name}
-            for name in names:
+                names += [track, stated.size_key, stated.branch or part.name]
+            for name in dict.fromkeys(names):
                 named[name].append(part)
     return {name: tuple(parts) for name, parts in named.items()}
 

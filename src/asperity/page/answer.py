@@ -75,11 +75,7 @@ def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
         choices[path] = word or ""
     return {
         "form": form_of(case),
-        "numbers": {
-            path: _number(entry, entry.key)
-            for path, entry in numeric_keys(case).items()
-            if not path.startswith("form.")  # no field of the page: form errors stay as the file has them
-        },
+        "numbers": {path: _number(entry, entry.key) for path, entry in numeric_keys(case).items()},
         "entered": {
             path: _number(entry, key) | {"text": entry.text}
             for path, (key, entry) in entered_values(case).items()

@@ -55,7 +55,8 @@ class Sections(_Described):
     """A list of sections of a joint file."""
 
     meaning: str
-    keys: list[str] = Field(description="Of each section, in their order.")
+    keys: list[str] = Field(description="Of the numbers of each section, in their order.")
+    words: dict[str, list[str]] = Field(description="Key of each section that is a word → words that fit.")
     one_for_each: str | None = Field(
         description="Dotted path of the number of sections that the list has to have; null for any number."
     )
@@ -73,7 +74,7 @@ class Stated(_Described):
     entered: dict[str, EnteredValue] = Field(
         description="By dotted path: numbers that no study varies, an Rz and the shares of a duty."
     )
-    lists: dict[str, Sections] = Field(description="By name: the sections [[duty]] and [[branch]].")
+    lists: dict[str, Sections] = Field(description="By name: the sections [[duty]], [[branch]] and [[form]].")
     choices: dict[str, str]
     form: Document | None = Field(
         description="Groups of numbers and choices of another drive than the paper's; null for the paper's."

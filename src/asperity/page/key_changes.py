@@ -13,6 +13,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import type_of
 from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
+from asperity.page.list_changes import word_in_list
 
 #: What a file need not state beside the finish of all surfaces.
 _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
@@ -32,14 +33,15 @@ def apply_changes(tables: Any, changes: Mapping[str, Any]) -> None:
     try:
         kind, model = type_of(tables), model_of(tables)
         choices = choices_of(model, tables.get("bodies", {}))
-        numbers = {path: value for path, value in changes.items() if path not in choices}
+        words = {path: str(value) for path, value in changes.items() if path in choices or word_in_list(path)}
+        numbers = {path: value for path, value in changes.items() if path not in words}
         empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
         for path in empty:
             for absent in (path, *_surface_paths(tables, path)):
                 leave_out(tables, absent)
             del numbers[path]
+        set_words(tables, {path: words.pop(path) for path in [*words] if word_in_list(path)})
         set_texts(tables, numbers)
-        words = {path: str(value) for path, value in changes.items() if path in choices}
         if FINISH in words and _surface_paths(tables, FINISH):
             _set_finishes(tables, words.pop(FINISH))
         set_words(tables, words)

@@ -9,7 +9,11 @@ from typing import Any
 
 import tomlkit
 
-from asperity.errors import InputError, quoted
+from asperity.engine.arrays import as_numbers
+from asperity.engine.control import at_once
+from asperity.errors import AsperityError, InputError, quoted
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.form_parts import form_parts
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
 from asperity.joint_file.section import is_list, keys_by_path, meaning
@@ -29,8 +33,12 @@ _REMARK = re.compile(r"^\s*(#.*)?$")
 _Section = tuple[list[str], list[str]]
 
 
-#: The lists of a file that the page shows and changes; form errors stay as the file has them.
-_ON_THE_PAGE = ("branch", "duty")
+#: The lists of a file that the page shows and changes.
+_ON_THE_PAGE = ("branch", "duty", "form")
+#: Waves round a part whose amplitudes have a field on the page, besides those of the file.
+_WAVES = ("2", "3")
+#: Words in the sections of a list: key of the list → key of the word.
+_WORDS = {"form": "part"}
 
 
 def lists_of(model: type[Case]) -> dict[str, str | None]:
@@ -106,7 +114,10 @@ def stated_lists(case: Case, tables: Mapping[str, Any]) -> Document:
             for path in keys_by_path(type(case), numbers="all")
             if path.startswith(f"{name}.*.")
         ]
-        if any("*" in key for key in keys):  # names of the rollers of this drive
+        sections = [section for section in tables.get(name, []) if isinstance(section, Mapping)]
+        if name == "form":
+            keys = [wave for key in keys for wave in _by_waves(key, sections)]
+        elif any("*" in key for key in keys):  # names of the rollers of this drive
             rollers = list(sized_tracks(si_values(case)))
             keys = [
                 roller_key
@@ -116,11 +127,41 @@ def stated_lists(case: Case, tables: Mapping[str, Any]) -> Document:
         lists[name] = {
             "meaning": meaning(type(case), name),
             "keys": keys,
+            "words": {_WORDS[name]: _form_parts(case)} if name in _WORDS else {},
             "one_for_each": count_path,
             "most": MOST_LOADS if count_path is None else round(key_at(count_path, case.type).upper),
-            "of_file": [_texts(section) for section in tables.get(name, []) if isinstance(section, Mapping)],
+            "of_file": [_texts(section) for section in sections],
         }
     return lists
+
+
+def _by_waves(key: str, sections: Sequence[Mapping[str, Any]]) -> list[str]:
+    """A key of form errors, that of an amplitude for each number of waves of the file and of the page."""
+    if "*" not in key:
+        return [key]
+    stated = [entry["harmonics"] for entry in sections if isinstance(entry.get("harmonics"), Mapping)]
+    waves = {*_WAVES, *(str(wave) for table in stated for wave in table)}
+    return [key.replace("*", wave) for wave in sorted(waves, key=lambda wave: (len(wave), wave))]
+
+
+def _form_parts(case: Case) -> list[str]:
+    """Parts of a drive that may have form errors, by one name each, and those that the file names."""
+    values = si_values(case)
+    stated = [entry.part for entry in case.form or ()]
+    try:
+        joint = at_once(lambda: joint_from_values(values))
+    except AsperityError:  # said where the joint is solved
+        return list(dict.fromkeys(stated))
+    parts = form_parts(values, as_numbers(joint.drive))
+    own = [name for name, tracks in parts.items() if len(tracks) > 1 or tracks[0].name == name]
+    return list(dict.fromkeys([*own, *stated]))
+
+
+def word_in_list(path: str) -> bool:
+    """Whether a dotted path is that of a word in a section of a list, such as ``form.2.part``."""
+    name, _, rest = path.partition(".")
+    number, _, key = rest.partition(".")
+    return number.isdecimal() and _WORDS.get(name) == key
 
 
 def _texts(section: Mapping[str, Any]) -> dict[str, str]:

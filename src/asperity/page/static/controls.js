@@ -26,7 +26,7 @@ export function label(path) {
   if (path.startsWith("fluids.")) return `${parts.slice(1).join(" ").replaceAll("_", " ")}, ${parts[0]}`;
   if (/^(roller|contact)\./.test(path)) return `${parts[1].replaceAll("_", " ")}, ${path.split(".")[0]} ${parts[0]}`;
   const section = sectionOf(path);
-  if (section) return `${section.key.split(".").join(" ").replaceAll("_", " ")}, ${section.title}`;
+  if (section) return `${section.key.replace(/^harmonics\.(\d+)$/, "$1 waves").split(".").join(" ").replaceAll("_", " ")}, ${section.title}`;
   const contact = parts.find((part) => contacts.includes(part));
   const words = parts.filter((part) => part !== contact).join(" ").replaceAll("_", " ");
   return contact ? `${words}, ${contact}` : words;
@@ -100,6 +100,7 @@ export class Controls {
   generic(path) {
     const parts = path.split(".");
     const wild = parts.map((_, at) => [...parts.slice(0, at), "*", ...parts.slice(at + 1)].join(".")).slice(1);
+    if (parts.length === 4) wild.push([parts[0], "*", parts[2], "*"].join(".")); // waves of a part
     if (parts.length === 5) wild.push([parts[0], "*", parts[2], "*", parts[4]].join(".")); // a row of a table of an oil
     return [path, ...wild].find((key) => this.parameters.has(key)) || path;
   }
@@ -278,7 +279,7 @@ export class Controls {
 
   placeholder(parameter, entry, list) {
     if (isDepth(parameter.key) && !entry) return `e.g. ${parameter.example}`;
-    if (list) return list.name === "branch" ? "0" : "";
+    if (list) return { branch: "0", form: list.key === "phase" ? "not known" : "none" }[list.name] ?? "";
     return (parameter.default || (entry ? parameter.example : "not in the file")).replace(/if absent[,:] | if absent/, "");
   }
 
@@ -304,10 +305,9 @@ export class Controls {
     for (const height of this.heights) height.show(this.values, changes);
     for (const row of this.rows.values()) {
       const changed = row.path in changes;
-      if (row.choice) {
-        showChoice(row, stated, changes);
-        continue;
-      }
+      if (row.choice) showChoice(row, stated, changes);
+      if (row.word) row.input.value = this.lists.text(row);
+      if (row.choice || row.word) continue;
       row.node.classList.toggle("changed", changed && row.list?.source !== 0);
       const entry = this.values[row.path] || (row.list?.name === "branch" ? { value: 0 } : null);
       const typed = changes[row.path];

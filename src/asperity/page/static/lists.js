@@ -1,10 +1,11 @@
-// Lists of sections, the loads of a duty and the branches of unlike sizes: their fields, added and removed in one step.
+// Lists of sections, the loads of a duty, the branches of unlike sizes and the form errors of parts: their fields, added and removed in one step.
 
 import { element } from "/numbers.js";
 
 const ONE_PER_BRANCH = "each"; // the branches are as many as the drive has
 const WORDS = {
   duty: { one: "load", add: "Add a load" },
+  form: { one: "part", add: "Add form errors of a part" },
   branch: { one: "branch", add: "Give each branch its own sizes", remove: "Equal branches" },
 };
 
@@ -75,7 +76,7 @@ export class Lists {
   build(name, body, places) {
     for (const path of [...this.controls.rows.keys()]) if (path.startsWith(`${name}.`)) this.controls.rows.delete(path);
     const words = WORDS[name];
-    const { keys, meaning, most, one_for_each: counted } = this.stated[name];
+    const { keys, words: texts, meaning, most, one_for_each: counted } = this.stated[name];
     const button = (text, act, more = {}) => {
       const made = element("button", { type: "button", "aria-describedby": `list-${name}-error`, ...more }, text);
       made.addEventListener("click", act);
@@ -84,16 +85,31 @@ export class Lists {
     const sections = places.map((source, i) => {
       const title = `${words.one} ${i + 1}`;
       const head = element("legend", {}, title);
+      const choices = Object.entries(texts).map(([key, options]) => this.wordRow(`${name}.${i + 1}.${key}`, options, { source, key, name }));
       const rows = keys.map((key) => this.controls.numberRow(`${name}.${i + 1}.${key}`, null, { source, key, name }));
       const remove = counted ? null : button("Remove", () => this.remove(name, i + 1), { class: "remove", "aria-label": `Remove ${title}` });
-      return element("fieldset", {}, head, remove, ...rows);
+      return element("fieldset", {}, head, remove, ...choices, ...rows);
     });
     const add = button(words.add, () => this.add(name), { class: "add" });
     add.disabled = places.length >= most;
     const whole = counted && places.length ? button(words.remove, () => this.none(name), { class: "add" }) : add;
     const back = button("Back to the file", () => this.set(name, {}, null), { class: "back-list", "aria-label": `${name}: back to the file` });
     const error = element("p", { class: "field-error", id: `list-${name}-error` });
-    body.replaceChildren(element("p", { class: "note" }, meaning), ...sections, error, element("div", { class: "list-buttons" }, whole, back));
+    body.replaceChildren(element("p", { class: "note" }, meaning.replaceAll("`", "")), ...sections, error, element("div", { class: "list-buttons" }, whole, back));
+  }
+
+  /** The row of a word of a section, such as the part that has the form errors. */
+  wordRow(path, options, list) {
+    const id = `value-${path.replaceAll(".", "-")}`;
+    const { title } = sectionOf(path);
+    const plain = (word) => word.replaceAll("_", " ");
+    const select = element("select", { id, "aria-describedby": `${id}-error` }, ...options.map((word) => element("option", { value: word }, plain(word))));
+    const error = element("p", { class: "field-error", id: `${id}-error` });
+    const row = { path, input: select, error, list, word: true };
+    select.addEventListener("change", () => this.controls.changed(path, select.value));
+    this.controls.rows.set(path, row);
+    select.value = this.text(row);
+    return element("div", { class: "row choice", "data-path": path }, element("label", { for: id }, plain(list.key), element("span", { class: "visually-hidden" }, `, ${title}`)), select, error);
   }
 
   /** What stands in the field of a row: what was typed, or what the file says. */
@@ -126,13 +142,25 @@ export class Lists {
     const places = this.places(name);
     const last = places.length;
     const values = Object.fromEntries(this.own(name));
-    for (const key of this.stated[name].keys) values[`${name}.${last + 1}.${key}`] = this.proposed(name, last, key, values);
+    const { keys, words } = this.stated[name];
+    for (const key of [...Object.keys(words), ...keys]) {
+      const value = this.proposed(name, last, key, values);
+      if (value !== null) values[`${name}.${last + 1}.${key}`] = value;
+    }
     this.set(name, values, [...places, 0]);
     this.bodies.get(name).querySelector("fieldset:last-of-type input[type=text]")?.focus();
   }
 
-  /** A new load is as the one before it and takes half of its time; the first one is the load of the joint, all the time. */
+  /**
+   * A new load is as the one before it and takes half of its time; the first one is the load of the joint, all the time.
+   * New form errors are two and three waves of a part that has none yet.
+   */
   proposed(name, last, key, values) {
+    if (name === "form") {
+      const taken = Array.from({ length: last }, (_, i) => this.textAt(`form.${i + 1}.part`));
+      const { part } = this.stated.form.words;
+      return { part: part.find((each) => !taken.includes(each)) ?? part[0], "harmonics.2": "1 um", "harmonics.3": "0.5 um" }[key] ?? null;
+    }
     const before = last ? this.textAt(`${name}.${last}.${key}`) : null;
     if (key !== "share") {
       const [row, stated] = [this.controls.rows, new Map(Object.entries(this.controls.values))].map((each) => each.get(`load.${key}`));
