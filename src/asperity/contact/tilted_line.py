@@ -17,6 +17,7 @@ from asperity.types import Array, Real
 #: Places of the slices over the contact length, from its middle: both ends and the middle are among them.
 PLACES: NDArray[np.float64] = np.linspace(-0.5, 0.5, 201)
 _HALVINGS = 60
+_WITHOUT_ENDS = 1.1
 
 
 class ProfiledLine(NamedTuple):
@@ -45,7 +46,8 @@ def profiled_line(
     Parameters
     ----------
     gap : Array
-        Gap g of the unloaded rollers at :data:`PLACES`, over any constant, shape (slices,) [m].
+        Gap g of the unloaded rollers at :data:`PLACES`, over any constant, shape (slices,) [m]; infinite at an end with
+        a drop without bound, and nowhere else.
     normal_force, contact_length, effective_radius, contact_modulus : Real
         As for :func:`asperity.contact.crowned_line.crowned_line`.
 
@@ -89,7 +91,10 @@ def profiled_line(
         return xp.where(enough, low, middle), xp.where(enough, middle, high)
 
     even = load * (2.0 * math.log(2.0) - 2.0 - xp.log(load))
-    _, approach = fori_loop(0, _HALVINGS, halve, (xp.min(gaps), xp.max(gaps) + even))
+    ends = xp.isfinite(gaps)
+    more = xp.where(xp.all(ends), 1.0, _WITHOUT_ENDS)  # for what the slices at free ends do not carry
+    farthest = xp.max(xp.where(ends, gaps, xp.min(gaps))) + more * even
+    _, approach = fori_loop(0, _HALVINGS, halve, (xp.min(gaps), farthest))
     above = approach - gaps
     squared = squared_width(above)
     is_long = factor(above) - xp.log(xp.max(above)) > LEAST_TARGET

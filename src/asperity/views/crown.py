@@ -10,9 +10,12 @@ from asperity.views.numbers import number, quantity, words
 
 _NOTES = (
     "Drops are those of both bodies together; crowns of both add as 1/R. A crown on a roller acts in all its contacts: "
-    "take the smallest radius. Pressures are those of slices: where an end carries load, its sharp edge has more, up "
-    "to 2.6 times as much, which is why the recommended drops z leave the ends free. The logarithmic profile drops by "
-    "A ln(1/(1 - (1 - exp(-z/A))(2y/B)^2)) at y from the middle of its length B.",
+    "take the smallest radius. Pressures are those of slices. Edge: an end carries load; in theory the pressure of its "
+    "sharp edge has no bound, which is why the recommended drops z leave the ends free. The logarithmic profile drops "
+    "by A ln(1/(1 - (1 - exp(-z/A))(2y/B)^2)) at y from the middle of its length B; those of Lundberg and of ISO/TS "
+    "16281 by A ln(1/(1 - (2y/B)^2)), without bound at the very ends, which no load then reaches.",
+    "ISO/TS 16281 profiles the roller alone: A is 0.00035 times the diameter of the smaller body, for lengths up to "
+    "2.5 times that diameter.",
     "The tilt is the angle between the axes in the plane through both, by which a line opens at one end; rolling.skew "
     "is the angle across it, which moves rollers along their axes and loads no end.",
 )
@@ -22,8 +25,10 @@ _COLUMNS = {
     "radius\nmm": ("crown_radius_m", 1e3),
     "A\nµm": ("coefficient_m", 1e6),
     "peak pressure\nMPa": ("peak_pressure_Pa", 1e-6),
+    "peak over mean\n-": ("peak_over_mean", 1.0),
     "end over mean\n-": ("end_over_mean", 1.0),
 }
+_NAMES = {"iso_16281": "ISO/TS 16281", "lundberg": "Lundberg"}
 _SHARES = {None: "", 0.5: ", half", 1.0: ", recommended", 2.0: ", double"}
 
 
@@ -36,8 +41,12 @@ def crown(document: Document) -> Iterator[Block]:
             continue
         rows = [
             (
-                words(entry["profile"]) + _SHARES[entry["share_of_recommended"]],
-                *(number(entry[key], factor) for key, factor in _COLUMNS.values()),
+                _NAMES.get(entry["profile"], words(entry["profile"]))
+                + _SHARES[entry["share_of_recommended"]],
+                *(
+                    "edge" if key == "peak_pressure_Pa" and entry["edge"] else number(entry[key], factor)
+                    for key, factor in _COLUMNS.values()
+                ),
             )
             for entry in contact["profiles"]
         ]
