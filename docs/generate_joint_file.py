@@ -141,6 +141,7 @@ FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing
 HEADERS = {
     "duty": "[[duty]]",
     "form": "[[form]]",
+    "tilt": "[tilt.NAME_axis]",
     "branch": "[[branch]]",
     "materials": "[materials.NAME]",
     "fluids": "[fluids.NAME]",

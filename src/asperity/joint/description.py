@@ -15,6 +15,7 @@ from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, contact_angles, incidence, speeds
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
+from asperity.drive.structure.axis_tilts import AxisTilts
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.drive.structure.pin_beam import PinBeam
 from asperity.engine.arrays import xp
@@ -161,6 +162,8 @@ class Joint(Module):
         the carrier.
     wear_coefficients : tuple of Real or None, optional
         Of the tracks of each body [1/Pa]; None where nobody states one.
+    tilts : AxisTilts or None, optional
+        Tilts of its axes, which the loads along its contacts follow, but no force or creep; None for parallel axes.
     """
 
     type: str = static()
@@ -203,6 +206,7 @@ class Joint(Module):
     heat: HeatBalance | None = None
     carrier_balance: Literal["complete", "printed"] = static(default="complete")
     wear_coefficients: tuple[Real, ...] | None = None
+    tilts: AxisTilts | None = None
 
     @property
     def working_pattern(self) -> Array:

@@ -30,6 +30,7 @@ _PARTS: tuple[Callable[[Described], Iterator[str]], ...] = (
     drive.loading_cam,
     drive.own_branches,
     drive.form_errors,
+    drive.axis_tilts,
     temperature.temperature,
     bodies.crowns,
     rolling.rolling,

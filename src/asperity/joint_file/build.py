@@ -43,6 +43,7 @@ from asperity.joint_file.section_build import (
     surface_of,
 )
 from asperity.joint_file.si_tables import Values, si_values
+from asperity.joint_file.tilt_entries import axis_tilts
 from asperity.materials import Material
 from asperity.types import Array, Document, Real
 
@@ -119,6 +120,7 @@ def joint_at_temperatures(values: Values) -> Joint:
         output_bearing=rated_bearing(_called(kind, values).get("output_bearing")),
         crown_curvatures=_crown_curvatures(values),
         wear_coefficients=_wear_coefficients(kind, values, drive),
+        tilts=axis_tilts(values.get("tilt")),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
         heat=balance_of(values),
     )

@@ -132,6 +132,14 @@ class GeneralCase(AxisCase):
         """Names of the contacts, and of the bodies in [bodies]."""
         return tuple(contact.name for contact in self.contact), tuple(roller.name for roller in self.roller)
 
+    def places_of_bodies(self) -> dict[str, str]:
+        """Name of each body of a sector → its place."""
+        return {roller.name: roller.place for roller in self.roller}
+
+    def input_name(self) -> str:
+        """Name of the input."""
+        return str(self.drive.input)
+
     def misnamed_parts(self) -> list[str]:
         """Messages about rollers, contacts and tables that do not fit together."""
         return [*_misdescribed(self), *super().misnamed_parts()]

@@ -96,6 +96,7 @@ ROLLER_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", example="
 DUTY_TIME = Key(Dimension.TIME, 0.0, 1e9, "min", open_lower=True, example="30 min")
 HEAT_CAPACITY = Key(Dimension.HEAT_CAPACITY, 0.0, 1e9, "J/K", open_lower=True, example="600 J/K")
 
+AXIS_TILT = Key(Dimension.ANGLE, -20.0, 20.0, "mrad", example="1 mrad")
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")

@@ -83,7 +83,7 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
 def _wanted(parts: Parts, model: type[BaseModel]) -> str:
     """What a missing key has to be, with an example."""
     generic = ".".join(
-        "*" if i == 1 and parts[0] in ("materials", "fluids", "duty", "form", "branch") else part
+        "*" if i == 1 and parts[0] in ("materials", "fluids", "duty", "form", "branch", "tilt") else part
         for i, part in enumerate(parts)
     )
     key = keys_by_path(model).get(generic)

@@ -55,6 +55,7 @@ from asperity.joint_file.sections import (
     refuse_temperature,
     refuse_temperatures,
 )
+from asperity.joint_file.tilt_entries import TiltEntry, misnamed_tilts
 
 
 class Load(Section):
@@ -207,6 +208,8 @@ class Case(WholeFile):
     """Skew, hysteresis, reliability and required life of the joint that turns."""
     wear: Wear | None = None
     """Wear of the tracks; its times have no hours if the section is absent."""
+    tilt: Annotated[dict[PartName, TiltEntry], Field(min_length=1)] | None = None
+    """Axes out of parallel, for `asperity loads`: a section [tilt.NAME_axis] for each; parallel if absent."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
     fluids: dict[FluidName, FluidEntry] | None = None
@@ -429,13 +432,29 @@ class Case(WholeFile):
         """Names of the contacts, and of the bodies in [bodies]."""
         return self.drive_type.contact_names({}), self.drive_type.material_keys
 
+    def places_of_bodies(self) -> dict[str, str]:
+        """Name of each body of a sector → its place."""
+        return {part.name: part.place for part in self.drive_type.parts}
+
+    def input_name(self) -> str:
+        """Name of the input."""
+        return self.drive_type.input
+
+    def _misnamed_tilts(self) -> Iterator[str]:
+        """Messages about tilts of axes that the drive does not have, or that nothing holds."""
+        support = None if self.compliance is None else self.compliance.sun_support_stiffness
+        floats = support is not None and support.value == 0.0
+        return misnamed_tilts(
+            self.tilt or {}, self.places_of_bodies(), (self.input_name(),) if floats else ()
+        )
+
     def worn_parts(self) -> tuple[str, ...]:
         """Names of the bodies in a table of wear coefficients: those of [bodies] without the housing."""
         return self.part_names()[1]
 
     def misnamed_parts(self) -> list[str]:
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
-        messages = list(self._without_effect())
+        messages = [*self._without_effect(), *self._misnamed_tilts()]
         contacts, bodies = self.part_names()
         if self.housing is not None:
             if HOUSING in bodies:

@@ -143,6 +143,10 @@ def key_at(path: str, kind: str | None = None) -> Key:
     number.
     """
     parts = path.split(".")
+    if parts[0] == "tilt":
+        raise InputError(
+            f"{path}: [tilt] is used by `asperity loads` only, where no study varies it; write it into the file"
+        )
     known = _keys(kind)
     one = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts))]
     if parts[0] == "branch" and len(parts) == 4:  # sector and roller of type planar

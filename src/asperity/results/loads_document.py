@@ -29,6 +29,7 @@ from asperity.joint.working_loads import (
     working_loads,
 )
 from asperity.results.solved import SolvedJoint
+from asperity.results.tilt_document import tilt_document
 from asperity.rolling.document import unknown_because
 from asperity.types import Document
 from asperity.units import format_quantity, from_si
@@ -82,6 +83,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
     """Loads of the structure without torque, under the working torque, and under every load of the duty, for JSON.
 
     With :func:`bearing_entries`, and what mounts the rings with a radial gap [m]; None where a value is not known.
+    ``tilt``, :func:`~asperity.results.tilt_document.tilt_document`, where the joint has tilted axes.
     """
     joint, result = solved.joint, solved.result
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
@@ -130,9 +132,11 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
     if any(seated(joint)):
         notes.append(_SEATED)
         mounted = itertools.chain(mounted, _seat_rows(solved, len(cases)))
-    return document_of_rows(
+    document = document_of_rows(
         cases, itertools.chain(rows, mounted), bearings=bearings, notes=notes, temperature_limits=limits
     )
+    tilt = tilt_document(solved)
+    return document if tilt is None else document | {"tilt": tilt}
 
 
 def _rows(

@@ -9,6 +9,7 @@ from asperity.results.loads_document import shown_rows, state_of_case
 from asperity.types import Document
 from asperity.views.blocks import Block, Bullets, Paragraph, Table
 from asperity.views.numbers import number, quantity, sentence, unit_words, words
+from asperity.views.tilt import tilt
 
 _BEARING_COLUMNS = {
     "C\nN": "dynamic_rating_N",
@@ -63,6 +64,8 @@ def loads(document: Document) -> Iterator[Block]:
     ]
     if said := [*unknown, *absent, *document["notes"]]:
         yield Bullets(said)
+    if "tilt" in document:
+        yield from tilt(document["tilt"])
 
 
 def case_title(case: Document, line: str) -> str:

@@ -116,6 +116,15 @@ def form_errors(file: Described) -> Iterator[str]:
         yield "no form.phase: the worst and the mean of all phases count"
 
 
+def axis_tilts(file: Described) -> Iterator[str]:
+    """Which results the tilts of a file reach."""
+    if file.case.tilt is not None:
+        yield (
+            "[tilt] is used by `asperity loads` only: forces, stiffness, creep, wear and life are those of parallel "
+            "axes; a skew that `asperity loads` finds counts in them as rolling.skew"
+        )
+
+
 def own_branches(file: Described) -> Iterator[str]:
     """How branches of their own sizes share the load."""
     case, _ = file
