@@ -28,7 +28,7 @@ def case_of(tilts, name="wedge", change=lambda text: text):
         ('housing = { out = "1 mrad" }', "the drive has no such axis; it has sun_axis, "),
         ("sun_axis = {}", 'tilt.sun_axis: out, across: one of both must be given, e.g. out = "1 mrad"'),
         ('sun_axis = { out = "1 mm" }', "tilt.sun_axis.out: expected an angle"),
-        ('sun_axis = { across = "21 mrad" }', "it must be at least -20 mrad and at most 20 mrad"),
+        ('sun_axis = { across = "101 mrad" }', "it must be at least -100 mrad and at most 100 mrad"),
         ('sun_axis = { out = "1 mrad +- 0.1 mrad" }', "a tilt has no tolerance here, got '1 mrad +- 0.1 mrad'"),
         ('sun_axis = { up = "1 mrad" }', "tilt.sun_axis.up"),
     ],

@@ -17,6 +17,15 @@ from functools import partial
 
 import numpy as np
 
+from asperity.contact.crown_shapes import (
+    compression_of_slices,
+    end_compression,
+    factor_drift,
+    length_factor,
+    loaded_share,
+    share_growth,
+    spread,
+)
 from asperity.contact.strip_theory import strip_logarithm
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop
@@ -27,8 +36,9 @@ from asperity.types import Array, Real
 #: Slices of one half of the line; the two halves are alike.
 SLICES = 8
 
-_POWER = 4  # of the smooth minimum of the free length of contact and the length of the rollers
 _NEWTON_STEPS = 3
+_PROFILED_STEPS = 7
+_LOGARITHM_MEAN = 2.0 - 2.0 * math.log(2.0)  # of ln 1/(1 - t^2) over the length
 #: Of the middle slice: below, the contact is less than twice as long as wide
 LEAST_TARGET = 2.2 - math.log(2.2)
 _RESIDUAL = 1e-11
@@ -87,37 +97,20 @@ class CrownedLines(Module):
         Length B and effective radius R [m].
     contact_modulus : Array
         E* [Pa].
+    logarithmic : Array or None, optional
+        Which of them have a logarithmic profile, 1, or a circle, 0 [-]; None where all have circles.
     """
 
     crown_curvature: Array
     contact_length: Array
     effective_radius: Array
     contact_modulus: Array
+    logarithmic: Array | None = None
 
 
 def _along(values: np.ndarray, like: Array) -> Array:
     """A number for each slice along a first axis."""
     return xp.asarray(values).reshape(-1, *(1,) * xp.ndim(like))
-
-
-def _loaded_share(approach: Array, crown: Array) -> Array:
-    """Share of the length that is loaded."""
-    free = approach < crown
-    return xp.where(free, xp.sqrt(approach / xp.where(free, crown, 1.0)), 1.0)
-
-
-def _free_power(approach: Array, crown: Array) -> Array:
-    return ((crown / approach) ** 2) ** (_POWER // 2)
-
-
-def _spread(approach: Array, crown: Array) -> Array:
-    """The loaded share without a kink where the load reaches the ends: the length on which compression depends."""
-    return xp.exp(-0.5 / _POWER * xp.log1p(_free_power(approach, crown)))
-
-
-def _factor(approach: Array, crown: Array) -> Array:
-    """Compression over squared width of a slice plus the logarithm of the latter, 2 ln(2 s) − 2."""
-    return (2.0 * math.log(2.0) - 2.0) - xp.log1p(_free_power(approach, crown)) / _POWER
 
 
 def _logarithm(compression: Array, factor: Array) -> Array:
@@ -126,20 +119,18 @@ def _logarithm(compression: Array, factor: Array) -> Array:
     return xp.asarray(strip_logarithm(xp.maximum(target, LEAST_TARGET)))
 
 
-def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
+def _carried(approach: Array, crown: Array, logarithmic: Array | None = None) -> tuple[Array, Array]:
     """Load of the slices, as the squared width of a contact that is loaded evenly, and its slope over ln eta."""
-    free = approach < crown
-    power = _free_power(approach, crown)
-    drift = power / (1.0 + power)
+    drift = factor_drift(approach, crown, logarithmic)
     place, weight = (_along(values, approach) for values in (_PLACE, _WEIGHT))
-    compression = approach - xp.where(free, approach, crown) * place**2
-    logarithm = _logarithm(compression, _factor(approach, crown))
+    compression, growing = compression_of_slices(approach, crown, logarithmic, place)
+    logarithm = _logarithm(compression, length_factor(approach, crown, logarithmic))
     squared_width = compression / logarithm
-    growth = xp.where(free, compression, approach) - squared_width * drift
+    growth = growing - squared_width * drift
     load = xp.sum(weight * squared_width, axis=0)
     slope = xp.sum(weight * growth / (logarithm - 1.0), axis=0)
-    share = _loaded_share(approach, crown)
-    return share * load, share * (slope + xp.where(free, 0.5 * load, 0.0))
+    share = loaded_share(approach, crown, logarithmic)
+    return share * load, share * (slope + share_growth(approach, crown, logarithmic) * load)
 
 
 @partial(with_rule, none_for_zero=True)
@@ -171,14 +162,62 @@ def _approach_jvp(
     return approach, rate * approach / slope
 
 
-def _scaled(
-    normal_force: Real, crown_curvature: Real, contact_length: Real, effective_radius: Real, modulus: Real
+@partial(with_rule, none_for_zero=True)
+def _profiled_approach(load: Array, crown: Array, logarithmic: Array) -> Array:
+    """As :func:`_approach`, of contacts some of which have a logarithmic profile."""
+    logarithm = 2.0 * math.log(2.0) - 2.0 - xp.log(load)
+    profiled = logarithmic > 0.0
+    mean, most = (
+        xp.where(profiled, log, circle) for log, circle in ((_LOGARITHM_MEAN, 1.0 / 3.0), (1.5, 1.0))
+    )
+    full = load * logarithm + crown * mean
+    some = xp.where(crown > 0.0, 1.5 * load * logarithm * xp.sqrt(crown), 1.0)
+    start = xp.where(full > most * crown, full, xp.exp(xp.log(some) * (2.0 / 3.0)))
+
+    def improve(_: int, approach: Array) -> Array:
+        value, slope = _carried(approach, crown, logarithmic)
+        return approach * xp.exp(xp.log(load / value) * value / slope)
+
+    return fori_loop(0, _PROFILED_STEPS, improve, start)
+
+
+@_profiled_approach.defjvp
+def _profiled_approach_jvp(
+    primals: tuple[Array, Array, Array], tangents: tuple[Array | None, Array | None, Array | None]
 ) -> tuple[Array, Array]:
+    """Implicit differentiation at the root; which contacts are profiled does not change."""
+    (load, crown, logarithmic), (load_dot, crown_dot, _) = primals, tangents
+    approach = _profiled_approach(load, crown, logarithmic)
+    _, slope = _carried(approach, crown, logarithmic)
+    rate = xp.zeros_like(load) if load_dot is None else load_dot
+    if crown_dot is not None:
+        rate = (
+            rate
+            - value_and_slope(lambda rho: _carried(approach, rho, logarithmic)[0], (crown,), (crown_dot,))[1]
+        )
+    return approach, rate * approach / slope
+
+
+def _approach_of(load: Array, crown: Array, logarithmic: Array | None) -> Array:
+    """Approach eta under a load of contacts of any shape."""
+    return _approach(load, crown) if logarithmic is None else _profiled_approach(load, crown, logarithmic)
+
+
+def _scaled(
+    normal_force: Real,
+    crown_curvature: Real,
+    contact_length: Real,
+    effective_radius: Real,
+    modulus: Real,
+    logarithmic: Real | None,
+) -> tuple[Array, Array, Array | None]:
     load = 4.0 * normal_force * effective_radius / (math.pi * modulus * contact_length**3)
     load, crown = xp.broadcast_arrays(
         xp.asarray(load, dtype=float), xp.asarray(0.5 * effective_radius * crown_curvature, dtype=float)
     )
-    return load, crown
+    if logarithmic is None:
+        return load, crown, None
+    return load, crown, xp.broadcast_to(xp.asarray(logarithmic, dtype=float), load.shape)
 
 
 def crowned_line(
@@ -188,6 +227,7 @@ def crowned_line(
     contact_length: Real,
     effective_radius: Real,
     contact_modulus: Real,
+    logarithmic: Real | None = None,
 ) -> CrownedLine:
     r"""How the load of a contact of crowned rollers spreads over its length.
 
@@ -201,13 +241,17 @@ def crowned_line(
     normal_force : Real
         Normal force N [N], positive.
     crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, the sum of :math:`1/R_c`, 0 for cylinders [1/m].
+        Curvature kappa of the crowns of both bodies along the axis, in the middle, the sum of :math:`1/R_c`, 0 for
+        cylinders [1/m].
     contact_length : Real
         Length B of the rollers' contact line [m]; the crown is highest in its middle.
     effective_radius : Real
         Effective radius R in the rolling direction [m].
     contact_modulus : Real
         Contact modulus E* [Pa].
+    logarithmic : Real or None, optional
+        1 where the gap is logarithmic, :math:`A \ln 1/(1 - (2y/B)^2)` with :math:`A = \kappa B^2/8`, in place of a
+        circle with the curvature of its middle, 0 elsewhere [-]; None where all crowns are circles.
 
     Returns
     -------
@@ -224,10 +268,12 @@ def crowned_line(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 5.6; equation (B4) of :doc:`/equations`.
     """
-    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
-    approach = _approach(load, crown)
-    share, factor = _loaded_share(approach, crown), _factor(approach, crown)
-    at_end = xp.where(approach > crown, approach - crown, 0.0)
+    load, crown, shape = _scaled(
+        normal_force, crown_curvature, contact_length, effective_radius, contact_modulus, logarithmic
+    )
+    approach = _approach_of(load, crown, shape)
+    share, factor = loaded_share(approach, crown, shape), length_factor(approach, crown, shape)
+    at_end = end_compression(approach, crown, shape)
 
     def squared_width(compression: Array) -> Array:
         pressed = compression > 0.0
@@ -235,9 +281,14 @@ def crowned_line(
         return xp.where(pressed, some / _logarithm(some, factor), 0.0)
 
     place, weight = (_along(np.insert(values, 0, 0.0), approach) for values in (_PLACE, _WEIGHT))
-    squared, end = squared_width(approach - crown * (share * place) ** 2), squared_width(at_end)
+    compression = (
+        approach - crown * (share * place) ** 2
+        if shape is None
+        else compression_of_slices(approach, crown, shape, place)[0]
+    )
+    squared, end = squared_width(compression), squared_width(at_end)
     per_squared = math.pi * contact_modulus * contact_length**2 / (4.0 * effective_radius)
-    carried, _ = _carried(approach, crown)
+    carried, _ = _carried(approach, crown, shape)
     return CrownedLine(
         position=xp.asarray(0.5 * contact_length * place * share),
         line_load=squared * per_squared,
@@ -290,6 +341,7 @@ def compression_and_shortening(
     contact_length: Real,
     effective_radius: Real,
     contact_modulus: Real,
+    logarithmic: Real | None = None,
 ) -> tuple[Array, Array]:
     r"""What crowns add to the approach, and by how much they shorten the line on which that depends.
 
@@ -297,7 +349,7 @@ def compression_and_shortening(
 
     Parameters
     ----------
-    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
+    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus, logarithmic : Real
         As for :func:`crowned_line`.
 
     Returns
@@ -309,9 +361,11 @@ def compression_and_shortening(
     ----------
     Equation (B12) of :doc:`/equations`.
     """
-    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
-    approach = _approach(load, crown)
-    shorter = 1.0 / _spread(approach, crown) - 1.0
+    load, crown, shape = _scaled(
+        normal_force, crown_curvature, contact_length, effective_radius, contact_modulus, logarithmic
+    )
+    approach = _approach_of(load, crown, shape)
+    shorter = 1.0 / spread(approach, crown, shape) - 1.0
     even = load * (2.0 * math.log(2.0) - 2.0 - xp.log(load))
     added = (approach - even) + 3.0 * load * shorter
     return added * contact_length**2 / (4.0 * effective_radius), shorter / contact_length

@@ -46,6 +46,8 @@ class JointContacts(Module):
         Model of lambda.
     crown_curvature : Array or None
         Curvatures of the crowns, shape (contacts, ...) [1/m]; None where no roller is crowned.
+    logarithmic : Array or None, optional
+        Which crowns are logarithmic profiles, 1, or circles, 0 [-]; None where all are circles.
     rims : RimKernel or None, optional
         Of the exact bodies, :func:`asperity.body.coupling.machine_kernel`; None where it is not known.
     """
@@ -56,13 +58,19 @@ class JointContacts(Module):
     ring_wall_thickness: Real
     contact_factor_model: ContactFactorModel = static()
     crown_curvature: Array | None = None
+    logarithmic: Array | None = None
     rims: RimKernel | None = None
 
     def loads_along(self, normal_force: Array) -> CrownedLine | None:
         """How normal forces [N] spread over crowned contacts, slices first; None where they are even."""
         if self.crown_curvature is None:
             return None
-        return loads_along(pairs=self.pairs, crown_curvature=self.crown_curvature, normal_force=normal_force)
+        return loads_along(
+            pairs=self.pairs,
+            crown_curvature=self.crown_curvature,
+            normal_force=normal_force,
+            logarithmic=self.logarithmic,
+        )
 
     def largest_half_width(self, normal_force: Array) -> Array:
         """Half-widths where the contacts are widest, for one newton where they are open, shape (contacts, ...) [m]."""
@@ -127,7 +135,11 @@ def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: 
     """Normal springs of even contacts with what the crowns of their rollers add."""
     if contacts.crown_curvature is None:
         return springs
-    lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
+    lines = crowned_lines(
+        pairs=contacts.pairs,
+        crown_curvature=contacts.crown_curvature,
+        logarithmic=contacts.logarithmic,
+    )
     crowns = crowned_springs(lines=lines, rest_force=rest_force)
     return NormalSprings(springs.secant_compliance, springs.incremental_compliance, crowns)
 
@@ -197,6 +209,7 @@ def loaded_contacts(
             driven=contacts.driven,
             normal_force=normal_force,
             tangential_force=tangential_force,
+            logarithmic=contacts.logarithmic,
         )
         bulk_normal = bulk_normal / (1.0 + bulk_normal * crown.normal)
         bulk_tangential = bulk_tangential / (1.0 + bulk_tangential * crown.tangential)

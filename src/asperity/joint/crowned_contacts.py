@@ -27,18 +27,23 @@ class CrownCompliance(NamedTuple):
     tangential: Array
 
 
-def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines:
-    """What the approach of crowned contacts depends on, in one shape."""
-    return CrownedLines(
-        *xp.broadcast_arrays(
-            crown_curvature, pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus
-        )
-    )
+def crowned_lines(
+    *, pairs: RollerPairs, crown_curvature: Array, logarithmic: Array | None = None
+) -> CrownedLines:
+    """What the approach of crowned contacts depends on, in one shape.
+
+    ``logarithmic``: 1 where the crown is a logarithmic profile, 0 where it is a circle; None where all are circles.
+    """
+    length, radius, modulus = pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus
+    shapes = () if logarithmic is None else (logarithmic,)
+    return CrownedLines(*xp.broadcast_arrays(crown_curvature, length, radius, modulus, *shapes))
 
 
-def loads_along(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> CrownedLine:
+def loads_along(
+    *, pairs: RollerPairs, crown_curvature: Array, normal_force: Array, logarithmic: Array | None = None
+) -> CrownedLine:
     """How the loads of crowned contacts spread over their lines, each under one newton where it is open."""
-    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
+    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature, logarithmic=logarithmic)
     return crowned_line(normal_force=_pressed(normal_force), **vars(lines))
 
 
@@ -66,9 +71,10 @@ def crown_compliances(
     driven: Material,
     normal_force: Array,
     tangential_force: Array,
+    logarithmic: Array | None = None,
 ) -> CrownCompliance:
     """Compliance that the crowns add to the bodies of the contacts."""
-    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
+    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature, logarithmic=logarithmic)
     touching = normal_force > 0.0
     stick = normal_force - xp.abs(tangential_force) / pairs.friction_coefficient
     strain = lateral_strain_compliance(driving, driven)

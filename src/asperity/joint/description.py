@@ -131,6 +131,9 @@ class Joint(Module):
     crown_curvatures : tuple of Real or None, optional
         Curvature of the crowns of both tracks of each contact, the sum of :math:`1/R_c` [1/m]; None where no roller is
         crowned.
+    logarithmic_crowns : tuple of bool or None, optional
+        Which of these contacts have logarithmic profiles, with this curvature in their middle, in place of circles;
+        None where none has.
     unlike : UnlikeSectors or None, optional
         What differs between the sectors of a drive that :mod:`asperity.joint.unfolding` has unfolded; None for
         equal sectors.
@@ -192,6 +195,7 @@ class Joint(Module):
     input_bearing: RatedBearing | None = None
     output_bearing: RatedBearing | None = None
     crown_curvatures: tuple[Real, ...] | None = None
+    logarithmic_crowns: tuple[bool, ...] | None = static(default=None)
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
     closure_springs: ClosureSprings | None = static(default=None)
@@ -301,6 +305,9 @@ def joint_contacts(joint: Joint) -> JointContacts:
         ring_wall_thickness=per_contact(tuple(1.0 if wall is None else wall for wall in walls)),
         contact_factor_model=joint.contact_factor_model,
         crown_curvature=None if joint.crown_curvatures is None else per_contact(joint.crown_curvatures),
+        logarithmic=None
+        if joint.logarithmic_crowns is None
+        else per_contact(tuple(1.0 if profiled else 0.0 for profiled in joint.logarithmic_crowns)),
     )
 
 

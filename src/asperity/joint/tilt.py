@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.contact.crowned_line import compression_and_shortening, crowned_line
+from asperity.contact.roller_profiles import logarithmic_profile
 from asperity.contact.tilt_stiffness import (
     freeing_tilt,
     line_load_stiffness,
@@ -98,7 +99,9 @@ def _stiffness(contacts: JointContacts, normal: Array) -> tuple[Array, Array]:
         )
         even = tilt_stiffness(line_load_stiffness=slice_stiffness, contact_length=length)
         return xp.asarray(even), xp.asarray(free)
-    line = crowned_lines(pairs=pairs, crown_curvature=contacts.crown_curvature)
+    line = crowned_lines(
+        pairs=pairs, crown_curvature=contacts.crown_curvature, logarithmic=contacts.logarithmic
+    )
     _, shorter = compression_and_shortening(normal_force=normal, **vars(line))
     found = sliced_tilt_stiffness(
         line=crowned_line(normal_force=normal, **vars(line)),
@@ -119,11 +122,13 @@ def _lines(
         for values in (pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus)
     )
     curvature = np.zeros_like(normal) if contacts.crown_curvature is None else contacts.crown_curvature
+    logarithmic = np.zeros_like(normal) if contacts.logarithmic is None else contacts.logarithmic
     peaks, ends, pressures = [], [], []
     for k, force in enumerate(normal):
         along = length[k] * PLACES
         line = profiled_line(
-            gap=0.5 * float(curvature[k]) * along**2 - slope[k] * along,
+            gap=crown_gap(float(curvature[k]), length[k], logarithmic=bool(logarithmic[k]))
+            - slope[k] * along,
             normal_force=force,
             contact_length=length[k],
             effective_radius=radius[k],
@@ -143,6 +148,13 @@ def _lines(
         peak_pressure=np.where(edge, np.nan, pressures),
         sideways=_sideways(joint, result, normal, skew),
     )
+
+
+def crown_gap(curvature: float, length: float, *, logarithmic: bool) -> Array:
+    """Gap of the crowns of both bodies at the places of slices [m], of their curvature in the middle [1/m]."""
+    if not logarithmic:
+        return 0.5 * curvature * (length * xp.asarray(PLACES)) ** 2
+    return logarithmic_profile(coefficient=curvature * length**2 / 8.0, end_share=1.0)
 
 
 def _sideways(joint: Joint, result: JointResult, normal: Numbers, skew: Numbers) -> Numbers:

@@ -83,6 +83,7 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
             roughness=None if joint.rolling.roughness is None else repeated(joint.rolling.roughness),
         ),
         crown_curvatures=None if joint.crown_curvatures is None else repeated(joint.crown_curvatures),
+        logarithmic_crowns=None if joint.logarithmic_crowns is None else repeated(joint.logarithmic_crowns),
         fit=fit,
         cam=cam,
         unlike=UnlikeSectors(

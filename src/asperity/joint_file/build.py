@@ -34,6 +34,7 @@ from asperity.joint_file.part_names import (
     sizes_of_tracks,
 )
 from asperity.joint_file.parts import layout_of
+from asperity.joint_file.roller_profiles import crowns_of
 from asperity.joint_file.section_build import (
     entries,
     material_of,
@@ -78,15 +79,18 @@ def joint_at_temperatures(values: Values) -> Joint:
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(xp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
+    of_bodies = tuple(materials[values["bodies"][kind.material_key(body.name)]] for body in drive.bodies)
+    lengths = entries(values["drive"]["contact_length"], names)
+    crowns = crowns_of(kind, values, drive, of_bodies, lengths)
     joint = Joint(
         type=kind.name,
         drive=drive,
         shapes=shapes,
-        materials=tuple(materials[values["bodies"][kind.material_key(body.name)]] for body in drive.bodies),
+        materials=of_bodies,
         surfaces=tuple(
             surface_of(entry, asperity_base=model["asperity_base"], contact_law=law) for entry in surfaces
         ),
-        contact_lengths=entries(values["drive"]["contact_length"], names),
+        contact_lengths=lengths,
         friction_coefficients=entries(load["friction_coefficient"], names),
         pattern=pattern,
         preload=load.get("preload"),
@@ -118,7 +122,8 @@ def joint_at_temperatures(values: Values) -> Joint:
         pin_bearing=rated_bearing(values.get("pin_bearing")),
         input_bearing=rated_bearing(_called(kind, values).get("input_bearing")),
         output_bearing=rated_bearing(_called(kind, values).get("output_bearing")),
-        crown_curvatures=_crown_curvatures(values),
+        crown_curvatures=crowns.curvatures,
+        logarithmic_crowns=crowns.logarithmic,
         wear_coefficients=_wear_coefficients(kind, values, drive),
         tilts=axis_tilts(values.get("tilt")),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
@@ -176,14 +181,6 @@ def _wear_coefficients(kind: DriveType, values: Values, drive: Drive) -> tuple[R
     if not isinstance(stated, dict):
         return (stated,) * len(drive.bodies)
     return tuple(stated[kind.material_key(body.name)] for body in drive.bodies)
-
-
-def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
-    """Curvature of the crowns of both tracks of each contact; None where no track is crowned."""
-    radii = drive_type_of(values).crown_radii(values)
-    if all(radius is None for pair in radii for radius in pair):
-        return None
-    return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
 
 
 def _called(kind: DriveType, entry: Values) -> Values:

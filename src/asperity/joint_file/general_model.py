@@ -10,6 +10,7 @@ from pydantic import Field
 
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.drive_type import DriveType
+from asperity.drive.layout.sizes import ISO_16281, LOGARITHMIC
 from asperity.drive.types.listed import LISTED
 from asperity.errors import nearest, quoted
 from asperity.joint_file import limits
@@ -85,6 +86,16 @@ class ContactEntry(Section):
     cylinder if absent. All contacts on a track state it."""
     second_crown_radius: CrownRadius | None = None
     """Radius of the crown of the second one's track; a cylinder if absent."""
+    first_profile: Literal["logarithmic", "iso_16281"] | None = None
+    """Profile of the first roller's track along its axis in place of a crown. logarithmic: Lundberg's, of a normal
+    force first_profile_load. iso_16281: that of ISO/TS 16281, of 0.00035 times the diameter, for lines of at most 2.5
+    diameters. A cylinder, or the crown, if absent. All contacts on a track state it."""
+    first_profile_load: Annotated[Quantity, limits.PROFILE_LOAD] | None = None
+    """Normal force that this profile alone spreads evenly over the line."""
+    second_profile: Literal["logarithmic", "iso_16281"] | None = None
+    """Profile of the second one's track; of a ring only logarithmic."""
+    second_profile_load: Annotated[Quantity, limits.PROFILE_LOAD] | None = None
+    """Normal force that this profile alone spreads evenly over the line."""
     internal: bool = False
     """Whether the first lies inside the second."""
     sector: Annotated[int, Field(strict=True, ge=-1, le=1)] = 0
@@ -242,15 +253,32 @@ def _misassumed(case: GeneralCase) -> Iterator[str]:
 
 def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
     """Contacts that say of a track what another contact on it does not."""
-    stated: dict[tuple[str, str], tuple[str, float | None]] = {}
+    stated: dict[tuple[str, str], tuple[str, tuple[float | None, str | None, float | None]]] = {}
     for contact in case.contact:
         for side in ("first", "second"):
-            radius, crown = (getattr(contact, f"{side}_{name}") for name in ("radius", "crown_radius"))
+            radius, crown, load = (
+                getattr(contact, f"{side}_{name}") for name in ("radius", "crown_radius", "profile_load")
+            )
+            profile = getattr(contact, f"{side}_profile")
+            if contact.internal and side == "second" and profile == ISO_16281:
+                yield (
+                    f"contact {contact.name}: second_profile = '{profile}': ISO/TS 16281 has a profile for rollers, "
+                    f'none for rings; choose "{LOGARITHMIC}", or profile the roller'
+                )
             track = getattr(contact, side), f"{radius.value:.12g}"
-            statement = contact.name, None if crown is None else crown.value
-            other = stated.setdefault(track, statement)
-            if statement[1] != other[1]:
+            shape = (
+                None if crown is None else crown.value,
+                profile,
+                None if load is None else load.value,
+            )
+            other = stated.setdefault(track, (contact.name, shape))
+            if shape[0] != other[1][0]:
                 yield (
                     f"contact {contact.name}: {side}_crown_radius: contact {other[0]} says something else of the same "
                     f"track of {track[0]}; a track has one crown: give it in every contact of the track, or in none"
+                )
+            elif shape != other[1]:
+                yield (
+                    f"contact {contact.name}: {side}_profile: contact {other[0]} says something else of the same track "
+                    f"of {track[0]}; a track has one profile: give it in every contact of the track, or in none"
                 )

@@ -67,6 +67,7 @@ OUTSIDE_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", example="200 N")
 
 BORE_DIAMETER = key_of(sizes.BORE_DIAMETER)
 CROWN_RADIUS = key_of(sizes.CROWN_RADIUS)
+PROFILE_LOAD = key_of(sizes.PROFILE_LOAD)
 HOUSING_DIAMETER = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="140 mm")
 HOUSING_INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="40 um")
 HOUSING = Key(Dimension.STIFFNESS_PER_AREA, 0.0, 1e9, "MPa/mm", example="500 MPa/mm")
@@ -96,7 +97,7 @@ ROLLER_RESISTANCE = Key(Dimension.THERMAL_RESISTANCE, 0.0, 1e6, "K/W", example="
 DUTY_TIME = Key(Dimension.TIME, 0.0, 1e9, "min", open_lower=True, example="30 min")
 HEAT_CAPACITY = Key(Dimension.HEAT_CAPACITY, 0.0, 1e9, "J/K", open_lower=True, example="600 J/K")
 
-AXIS_TILT = Key(Dimension.ANGLE, -20.0, 20.0, "mrad", example="1 mrad")
+AXIS_TILT = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="1 mrad")
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")

@@ -35,6 +35,7 @@ from asperity.joint_file.material_entries import (
 )
 from asperity.joint_file.part_names import HOUSING
 from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.roller_profiles import misstated_profiles, shaped_contacts
 from asperity.joint_file.section import Section, WholeFile
 from asperity.joint_file.sections import (
     BearingTorque,
@@ -455,6 +456,9 @@ class Case(WholeFile):
     def misnamed_parts(self) -> list[str]:
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
         messages = [*self._without_effect(), *self._misnamed_tilts()]
+        messages += misstated_profiles(
+            shaped_contacts(self.drive_type, self.drive, getattr(self, "contact", ()))
+        )
         contacts, bodies = self.part_names()
         if self.housing is not None:
             if HOUSING in bodies:

@@ -106,13 +106,13 @@ def _sectors_of(tables: Document) -> int:
 def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
     """Dotted paths of all numbers of a joint file that are the radius of the same track as a given one.
 
-    The path itself, and where it is the radius or the crown of a contact of type ``planar``, those of the roller's
-    other contacts on the same track. Tables in SI units.
+    The path itself, and where it is the radius, the crown or the load of the profile of a contact of type ``planar``,
+    those of the roller's other contacts on the same track. Tables in SI units.
     """
     steps = path.split(".")
-    side, of_the_track = steps[-1].removesuffix("_radius"), "radius"
-    if side.endswith("_crown"):
-        side, of_the_track = side.removesuffix("_crown"), "crown_radius"
+    side, _, of_the_track = steps[-1].partition("_")
+    if of_the_track not in ("radius", "crown_radius", "profile_load"):
+        return [path]
     if steps[0] != "contact" or side not in SIDES or steps[1] not in tables.get("contact", {}):
         return [path]
     given, contacts = tables["contact"][steps[1]], tables["contact"].values()

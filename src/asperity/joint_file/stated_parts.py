@@ -6,6 +6,7 @@ import dataclasses
 import math
 from typing import Any, NamedTuple
 
+from asperity.drive.layout.sizes import ISO_16281, LOGARITHMIC
 from asperity.drive.types import TYPES
 from asperity.engine.arrays import as_numbers
 from asperity.errors import InputError, NoSolutionError
@@ -20,18 +21,23 @@ from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.units import format_quantity
 
+#: What a drawing says of profiles, with their load.
+_PROFILES = {LOGARITHMIC: "logarithmic (Lundberg) for {} of normal force", ISO_16281: "ISO/TS 16281"}
+
 
 class StatedTrack(NamedTuple):
     """What a file says of a track, with its radius [m].
 
     ``tolerance`` of the radius [m], of a ring the sum of that of its radius and that of the interference; 0 where the
-    file states none. ``crown``, radius along the axis [m], None for a cylinder; names of the ``contacts`` on it.
+    file states none. ``crown``, radius along the axis [m], None for a cylinder or a profile; names of the ``contacts``
+    on it; ``profile`` in place of a crown, in words, empty for none.
     """
 
     radius: float
     tolerance: float
     crown: float | None
     contacts: tuple[str, ...]
+    profile: str = ""
 
 
 class StatedPart(NamedTuple):
@@ -142,7 +148,7 @@ def _part(case: Any, joint: Joint, number: int, form: tuple[str, ...]) -> Stated
 
 
 def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int]) -> StatedTrack:
-    tolerances, crowns = [0.0], []
+    tolerances, crowns, profiles = [0.0], [], []
     for number in contacts:
         contact = joint.drive.contacts[number]
         side = 0 if contact.first == body else 1
@@ -156,8 +162,10 @@ def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int
         added = case.load.interference if in_ring else None
         tolerances.append(sum(entry.tolerance for entry in (stated, added) if entry is not None))
         crowns += [] if crown is None else [float(crown.value)]
+        profile, load = getattr(table, f"{key}_profile", None), getattr(table, f"{key}_profile_load", None)
+        profiles += [] if profile is None else [_PROFILES[profile].format("" if load is None else load.text)]
     names = tuple(joint.drive.contacts[number].name for number in contacts)
-    return StatedTrack(radius, max(tolerances), crowns[0] if crowns else None, names)
+    return StatedTrack(radius, max(tolerances), crowns[0] if crowns else None, names, "".join(profiles[:1]))
 
 
 def surface_words(entry: Any) -> str:

@@ -45,6 +45,7 @@ def crown_document(solved: SolvedJoint, tilt: float) -> Document:
     """
     joint, result = solved.joint, solved.result
     pairs, curvatures = joint_contacts(joint).pairs, joint.crown_curvatures or (0.0,)
+    profiled = joint.logarithmic_crowns or (False,) * len(joint.contact_names)
     states = (result.rest.normal, result.forces.normal, result.rolling.normal)
     of_all = {
         "normal_force": np.nanmax([np.asarray(normal) for normal in states], axis=0),
@@ -56,11 +57,17 @@ def crown_document(solved: SolvedJoint, tilt: float) -> Document:
         *(np.asarray(values, dtype=float) for values in (*of_all.values(), curvatures, _rollers(joint)))
     )
     contacts = {}
-    for name, *values, curvature, diameter in zip(joint.contact_names, *numbers, strict=True):
+    for name, logarithmic, *values, curvature, diameter in zip(
+        joint.contact_names, profiled, *numbers, strict=True
+    ):
         pair = dict(zip(of_all, map(float, values), strict=True))
         try:
             pressed = pair["normal_force"] > 0.0
-            profiles = list(_profiles(pair, tilt, float(curvature), float(diameter))) if pressed else []
+            profiles = (
+                list(_profiles(pair, tilt, float(curvature), float(diameter), logarithmic=logarithmic))
+                if pressed
+                else []
+            )
         except NoSolutionError as error:
             raise NoSolutionError(f"{name}: {error}") from None
         force, length = pair["normal_force"], pair["contact_length"]
@@ -74,14 +81,21 @@ def _rollers(joint: Joint) -> Array:
     return 2.0 * np.minimum(first, second)
 
 
-def _profiles(pair: dict[str, float], tilt: float, curvature: float, diameter: float) -> Iterator[Document]:
+def _profiles(
+    pair: dict[str, float], tilt: float, curvature: float, diameter: float, *, logarithmic: bool
+) -> Iterator[Document]:
     """One contact with several profiles, first that of the file, last that of ISO/TS 16281, if it has its length."""
     length = pair["contact_length"]
     circle, width = (2.0 * PLACES) ** 2, float(half_width(**pair))
     logarithm = np.asarray(logarithmic_drop(even_half_width=width, contact_length=length))
     end_drop = float(logarithmic_end_drop(even_half_width=width, contact_length=length))
     stated = curvature * length**2 / 8.0
-    yield _entry("as_stated", None, circle, stated, tilt, pair, crown_radius_m=_radius(stated, length))
+    unit = np.asarray(logarithmic_profile(coefficient=1.0, end_share=1.0))
+    if logarithmic:
+        numbers: dict[str, float | None] = {"end_drop_m": None, "coefficient_m": stated}
+        yield _entry("as_stated", None, unit, stated, tilt, pair, **numbers)
+    else:
+        yield _entry("as_stated", None, circle, stated, tilt, pair, crown_radius_m=_radius(stated, length))
     for profile, shape in (("circular", circle), ("logarithmic", logarithm)):
         drop = least_pressed_drop(shape, tilt=tilt, **pair)
         for share in (0.5, 1.0, 2.0):
@@ -91,7 +105,6 @@ def _profiles(pair: dict[str, float], tilt: float, curvature: float, diameter: f
                 else {"coefficient_m": share * drop / end_drop}
             )
             yield _entry(profile, share, shape, share * drop, tilt, pair, **of_shape)
-    unit = np.asarray(logarithmic_profile(coefficient=1.0, end_share=1.0))
     coefficient = least_pressed_coefficient(tilt=tilt, **pair)
     for share in (0.5, 1.0, 2.0):
         numbers = {"end_drop_m": None, "coefficient_m": share * coefficient}

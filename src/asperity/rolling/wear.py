@@ -106,6 +106,7 @@ def joint_wear(
     does at once.
     """
     numbers: Joint = as_numbers(joint)
+    _refuse_profiles(numbers)
     loads = wear_loads(numbers)
     machine: JointMachine = at_once(joint_machine, without_duty(numbers))
     wearing = Wearing(machine, np.asarray(coefficients, dtype=float))
@@ -190,6 +191,15 @@ def _unlike_lengths(machine: JointMachine, tracks: tuple[str, ...]) -> tuple[str
     numbers = np.array(side_tracks(machine.drive))
     lengths = np.broadcast_to(np.asarray(machine.contacts.pairs.contact_length), numbers.shape)
     return tuple(name for track, name in enumerate(tracks) if np.ptp(lengths[numbers == track]) > 0.0)
+
+
+def _refuse_profiles(joint: Joint) -> None:
+    """Refuse profiles of which it is not known what wear makes of them."""
+    if joint.logarithmic_crowns is not None:
+        raise InputError(
+            "logarithmic and ISO/TS 16281 profiles (NAME_profile): how they wear is not computed; state crowns "
+            "(NAME_crown_radius), or leave the profiles out"
+        )
 
 
 def _refuse_start(joint: Joint, state: WearState, loads: WearLoad) -> None:

@@ -127,12 +127,15 @@ def material_words(joint: Joint, stated: StatedParts, body: int) -> str:
 
 
 def crown_lines(stated: StatedParts, body: int) -> list[str]:
-    """Crowns of the tracks of a body."""
-    return [
-        f"crown of track {', '.join(track.contacts)}: radius {dimension(1e3 * track.crown)} along the axis"
-        for track in stated.bodies[body].tracks
-        if track.crown is not None
-    ]
+    """Crowns and profiles of the tracks of a body."""
+    lines = []
+    for track in stated.bodies[body].tracks:
+        names = ", ".join(track.contacts)
+        if track.crown is not None:
+            lines.append(f"crown of track {names}: radius {dimension(1e3 * track.crown)} along the axis")
+        if track.profile:
+            lines.append(f"profile of track {names} along the axis: {track.profile}")
+    return lines
 
 
 def load_lines(joint: Joint, forces: JointForces) -> list[str]:

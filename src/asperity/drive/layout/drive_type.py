@@ -6,12 +6,12 @@ messages, drawings and reports are made from it. A new type is one file in :mod:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
-from asperity.drive.layout.sizes import SECTORS, Choice, ContactLength, Entry, Range, Size
+from asperity.drive.layout.sizes import SECTORS, Choice, ContactLength, Entry, Range, Size, profile
 from asperity.engine.arrays import xp
 from asperity.types import Array, Document, Real
 
@@ -169,7 +169,7 @@ class DriveType:
     contacts : tuple of Pairing
         Its contacts.
     sizes : tuple of Size, Choice and ContactLength
-        Keys of [drive] besides the number of sectors, in their order.
+        Keys of [drive] besides the number of sectors, in their order; those of a profile come behind each crown.
     input, output, grounded : str
         Names of members, as of :class:`~asperity.drive.layout.drive.Drive`.
     layout : callable
@@ -236,9 +236,21 @@ class DriveType:
 
     def __post_init__(self) -> None:
         """Refuse a type that does not fit together: a contact of no body, a track of no radius."""
+        object.__setattr__(self, "sizes", tuple(self._with_profiles()))
         object.__setattr__(self, "_known", frozenset(entry.key for entry in self.sizes))
         for wrong in self._misfits():
             raise TypeError(f"the drive type {self.name!r}: {wrong}")
+
+    def _with_profiles(self) -> Iterator[Entry]:
+        """Its sizes, the keys of a profile behind those of each crown."""
+        stated = {entry.key for entry in self.sizes}
+        rings = [contact.tracks[1] or contact.second for contact in self.contacts if contact.internal]
+        sizes = {part.name: part.size_key for part in self.parts}
+        for entry in self.sizes:
+            yield entry
+            name = entry.key.removesuffix("_crown_radius")
+            if name != entry.key and f"{name}_profile" not in stated:
+                yield from profile(name, ring=name in [sizes.get(ring, ring) for ring in rings])
 
     def _misfits(self) -> list[str]:
         """What does not fit together."""
@@ -368,6 +380,16 @@ class DriveType:
         """Crown radii of both tracks of each contact, None for a cylinder [m]."""
         return [
             [tables["drive"].get(f"{track}_crown_radius") for track in self.tracks(contact)]
+            for contact in self.contacts
+        ]
+
+    def profiles(self, tables: Tables) -> list[list[tuple[Any, Any]]]:
+        """Profiles of both tracks of each contact, and the normal forces of logarithmic ones [N], None where absent."""
+        return [
+            [
+                (tables["drive"].get(f"{track}_profile"), tables["drive"].get(f"{track}_profile_load"))
+                for track in self.tracks(contact)
+            ]
             for contact in self.contacts
         ]
 

@@ -43,6 +43,9 @@ WALL_THICKNESS = Range("LENGTH", 1e-3, 1e5, "mm", example="10 mm")
 BODY_LENGTH = Range("LENGTH", 0.0, 1e5, "mm", example="5 mm")
 BORE_DIAMETER = Range("LENGTH", 0.0, 1e5, "mm", open_lower=True, example="4 mm")
 CROWN_RADIUS = Range("LENGTH", 1.0, 1e9, "mm", example="1000 mm")
+PROFILE_LOAD = Range("FORCE", 0.0, 1e9, "N", open_lower=True, example="1000 N")
+#: Profiles of tracks along their axis besides crowns.
+LOGARITHMIC, ISO_16281 = "logarithmic", "iso_16281"
 DEVIATION = Range("LENGTH", -1e4, 1e4, "um", example="2 um")
 PUSH_ANGLE = Range("ANGLE", -60.0, 60.0, "deg")
 SPRING = Range("STIFFNESS", 1e-6, 1e15, "N/mm", example="2e5 N/mm")
@@ -106,6 +109,34 @@ def body_length(name: str, meaning: str) -> Size:
 def crown(name: str, meaning: str) -> Size:
     """The crown of a track, ``NAME_crown_radius``; a cylinder if absent."""
     return Size(f"{name}_crown_radius", meaning, CROWN_RADIUS, required=False)
+
+
+def profile(name: str, *, ring: bool) -> tuple[Choice, Size]:
+    """The profile of a track in place of its crown, ``NAME_profile``, and the load of one, ``NAME_profile_load``.
+
+    Of the bore of a ``ring`` the standard for rollers knows none.
+    """
+    words = name.replace("_", " ")
+    standard = (
+        " ISO/TS 16281 has none for rings."
+        if ring
+        else f" {ISO_16281}: that of the standard, of 0.00035 times the diameter, for lines of at most 2.5 diameters."
+    )
+    return (
+        Choice(
+            f"{name}_profile",
+            f"Profile along the axis in place of {name}_crown_radius. {LOGARITHMIC}: Lundberg's, of a normal force "
+            f"{name}_profile_load.{standard} A cylinder, or the crown, if absent.",
+            (LOGARITHMIC,) if ring else (LOGARITHMIC, ISO_16281),
+        ),
+        Size(
+            f"{name}_profile_load",
+            f"Normal force that the logarithmic profile of {words} alone spreads evenly over the line of each of its "
+            "contacts.",
+            PROFILE_LOAD,
+            required=False,
+        ),
+    )
 
 
 #: Crowns that most drives have.

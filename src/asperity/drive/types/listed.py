@@ -64,6 +64,13 @@ class ListedType(DriveType):
             [entry.get(f"{side}_crown_radius") for side in SIDES] for entry in _entries(tables["contact"])
         ]
 
+    def profiles(self, tables: Tables) -> list[list[tuple[Any, Any]]]:
+        """Profiles of both tracks of each contact, and the normal forces of logarithmic ones [N], None where absent."""
+        return [
+            [(entry.get(f"{side}_profile"), entry.get(f"{side}_profile_load")) for side in SIDES]
+            for entry in _entries(tables["contact"])
+        ]
+
     def shapes(self, tables: Tables) -> tuple[ShapeSizes, ...]:
         """What the sections [[roller]] say of the shapes of the bodies."""
         return tuple(

@@ -42,6 +42,11 @@ def crowns(file: Described) -> Iterator[str]:
             "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact "
             "lines; no concentration of stress at loaded ends, no slip between slices of different radius"
         )
+    if file.joint.logarithmic_crowns is not None:
+        yield (
+            "logarithmic profiles: for each contact by its length and elasticity; without bound at the very ends, "
+            "which no load reaches: what is made drops there by some micrometres more than the approach of the bodies"
+        )
 
 
 def fatigue(file: Described) -> Iterator[str]:
