@@ -38,10 +38,11 @@ A hyphen or a point between two units makes one unit of them: `"5 N-m"`, `"50 in
 `"m^-1"`.
 
 *Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
-with bearings, springs, skew and oil, and for the crown radii with crowns of 500 mm; results that change by less
-than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque
-capacity (standing, of slip alone), pressure, drift, efficiency and life. The range only catches typing errors where
-physics sets no bound. The results themselves are on the page [](results.md).
+with bearings, springs, skew and oil, for the crown radii with crowns of 500 mm, and for the loads of profiles with
+profiles for 1000 N; results that change by less than one part in a million for one per cent are left out. *All
+seven* are published and assembled stiffness, torque capacity (standing, of slip alone), pressure, drift, efficiency
+and life. The range only catches typing errors where physics sets no bound. The results themselves are on the page
+[](results.md).
 
 `[bodies]` names the material of `sun`, `planet`, `loading_roller` and `ring`, and of `housing` where there is a
 section `[housing]`.
@@ -70,6 +71,10 @@ loading_roller_crown_radius = "500 mm"
 ring_crown_radius = "500 mm"
 
 """
+PROFILES = "".join(
+    f'{name}_profile = "logarithmic"\n{name}_profile_load = "1000 N"\n'
+    for name in ("sun", "planet", "loading_roller", "ring")
+)
 SECTIONS = """
 [bearings]
 sun_torque = "0.001 N*m"
@@ -275,8 +280,13 @@ def page() -> str:
 
 def measured() -> dict[str, list[str]]:
     """Which results each number moves: key of the file → words for the results."""
-    crowned = _measured(CROWNS)
-    return _measured("") | {name: words for name, words in crowned.items() if name.endswith("_crown_radius")}
+    crowned, profiled = _measured(CROWNS), _measured(PROFILES + "\n")
+    own = {name: words for name, words in crowned.items() if name.endswith("_crown_radius")}
+    return (
+        _measured("")
+        | own
+        | {name: words for name, words in profiled.items() if name.endswith("_profile_load")}
+    )
 
 
 def _measured(more: str) -> dict[str, list[str]]:

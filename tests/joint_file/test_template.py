@@ -42,4 +42,7 @@ def test_every_key_that_may_be_absent_stands_behind_a_sign(kind):
         if entry.key == "spring_stiffness":
             continue  # only for pressed_by = "spring"
         stated = text.replace(f"# {line}", line)
+        if entry.key.endswith(("_profile", "_profile_load")):  # a profile and its load belong together
+            name = entry.key.partition("_profile")[0]
+            stated = re.sub(rf"(?m)^# ({name}_profile(_load)? = )", r"\1", text)
         assert getattr(parse_case(stated, source=kind.name).drive, entry.key) is not None

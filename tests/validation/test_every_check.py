@@ -31,7 +31,7 @@ CHECKS = {
     "creep": [(5, 6e-05), (1, 0.015), (1, 0.0001), (1, 0.0001)],
     "onset of rolling": [(4, 0.008, ABSOLUTE), (4, 0.008, ABSOLUTE)],
     "crowned rollers": [(2, 0.02), (2, 0.02), (2, 0.02), (2, 1e-12)],
-    "tilted rollers": [(3, 0.0001)],
+    "tilted rollers": [(3, 0.0001), *(4 * [(2, 2e-3)]), (1, 1e-4)],
     "skewed rollers": [(2, 1e-06), (5, 1e-12), (5, 1e-12), (3, 1e-12), (2, 1e-05)],
     "asperities in rolling": [(20, 0.004), (5, 0.0006, ABSOLUTE)],
     "oil": [(1, 0.0005), (1, 0.0007), (1, 0.0025)],

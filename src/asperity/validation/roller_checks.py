@@ -10,7 +10,15 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from asperity.contact import carter, crowned_line, hertz_line, skew, tilted_line
+from asperity.contact import (
+    carter,
+    crowned_line,
+    hertz_line,
+    roller_profiles,
+    skew,
+    tilt_stiffness,
+    tilted_line,
+)
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
@@ -114,6 +122,69 @@ def tilted() -> Iterator[Check]:
         unit="N/mm",
         expected=1e-3 * _tilted_ends(tilt, force, length),
         computed=1e-3 * found.line_load[[0, 100, 200]],
+        tolerance=1e-4,
+    )
+    yield from _profiled()
+
+
+#: Peak pressures of slices without tilt and at 0.5 mrad by an independent program [MPa].
+_PEAKS = {
+    "cylinder": (1039.6, 1328.1),
+    "Johns and Gohar": (1081.5, 1246.7),
+    "Lundberg": (1082.8, 1247.0),
+    "ISO/TS 16281, 20 mm": (1383.0, 1398.2),
+}
+
+
+def _profiled() -> Iterator[Check]:
+    """Cylinders of 10 and 20 mm, 10 mm long, with profiles under 2000 N, and what resists their tilt."""
+    force, length, tilt = 2000.0, 10e-3, 0.5e-3
+    pair = {
+        "normal_force": force,
+        "contact_length": length,
+        "effective_radius": _RADIUS,
+        "contact_modulus": _MODULUS,
+    }
+    width = float(hertz_line.half_width(**pair))
+    coefficient = roller_profiles.lundberg_coefficient(line_load=force / length, contact_modulus=_MODULUS)
+    share = roller_profiles.johns_gohar_share(even_half_width=width, contact_length=length)
+    gaps = {
+        "cylinder": 0.0 * tilted_line.PLACES,
+        "Johns and Gohar": roller_profiles.logarithmic_profile(coefficient=coefficient, end_share=share),
+        "Lundberg": roller_profiles.logarithmic_profile(coefficient=coefficient, end_share=1.0),
+        "ISO/TS 16281, 20 mm": roller_profiles.logarithmic_profile(
+            coefficient=roller_profiles.iso_16281_coefficient(roller_diameter=20e-3), end_share=1.0
+        ),
+    }
+    source = "slices by an independent program: cylinders of 10 and 20 mm, 10 mm long, 2000 N"
+    for name, expected in _PEAKS.items():
+        found = [
+            at_once(
+                lambda gap: tilted_line.profiled_line(gap=gap, **pair),
+                np.asarray(gaps[name]) - angle * length * tilted_line.PLACES,
+            )
+            for angle in (0.0, tilt)
+        ]
+        yield compared(
+            model="Tilted rollers",
+            reference=source,
+            quantity=f"{name}: peak pressure of slices without tilt and at 0.5 mrad",
+            unit="MPa",
+            expected=list(expected),
+            computed=np.array([1e-6 * float(line.peak_pressure) for line in found]),
+            tolerance=2e-3,
+        )
+    stiffness = tilt_stiffness.line_load_stiffness(
+        half_width=width, loaded_length=length, contact_modulus=_MODULUS
+    )
+    against = tilt_stiffness.tilt_stiffness(line_load_stiffness=stiffness, contact_length=length)
+    yield compared(
+        model="Tilted rollers",
+        reference=source,
+        quantity="tilt stiffness",
+        unit="N*m/rad",
+        expected=[4120.6],
+        computed=np.array([float(against)]),
         tolerance=1e-4,
     )
 
