@@ -51,6 +51,15 @@ def test_between_the_entries_of_the_table(s, stiffness_ratio, strips, close):
     assert float(peak_pressure_factor(layer_ratio=s)) == pytest.approx(peak, rel=1e-3)
 
 
+@pytest.mark.parametrize("kappa", [0.5, 0.6, 1.43, 2.0])
+def test_beyond_the_stiffness_ratios_of_the_table(kappa):
+    """Surfaces with grooves, forces along them on soft bodies, across them and across the rolling direction."""
+    q = np.array([0.05, 0.3, 0.62, 0.9])
+    for s in (0.1, 2.0):
+        _, expected = by_boundary_elements(s, q, kappa, 160)
+        np.testing.assert_allclose(factor(s, q, kappa), expected, rtol=1.1e-2)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("i", "j", "k"), [(0, 4, 1), (4, 2, 0), (6, 7, 2), (7, 5, 1)])
 def test_entries_of_the_table_recomputed(i, j, k):

@@ -89,3 +89,36 @@ def test_what_belongs_to_an_average_is_refused_without_it(given, names):
         SurfaceEntry.model_validate(GROUND | {"fractal_roughness": "1e-8 mm"} | given)
     stated = SurfaceEntry.model_validate(GROUND | {"roughness_average": "0.1 um"} | given)
     assert stated.roughness_average.value == pytest.approx(1e-7)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (
+            {"lay_ratio": 3},
+            "lay: this key is missing, without which lay_ratio says nothing: give .rolling. or .axis.",
+        ),
+        ({"lay": "axis"}, "lay_ratio: this key is missing, without which lay says nothing: give e.g. 10"),
+        (
+            {"lay_ratio": 0.5, "lay": "axis"},
+            "0.5 is not allowed; it must be at least 1 and at most 1e6: heights are correlated further along the "
+            "grooves than across them: give the reciprocal with the other lay",
+        ),
+        ({"lay_ratio": 3, "lay": "across"}, "Input should be 'rolling' or 'axis'"),
+    ],
+)
+def test_grooves_have_a_ratio_and_a_direction(given, said):
+    stated = SurfaceEntry.model_validate({"rms_height": "0.2 um", "lay_ratio": 3, "lay": "rolling"})
+    assert (stated.lay_ratio.value, stated.lay) == (3.0, "rolling")
+    with pytest.raises(ValidationError, match=said):
+        SurfaceEntry.model_validate({"rms_height": "0.2 um"} | given)
+
+
+def test_contacts_with_and_without_grooves_have_one_law():
+    """A lay is no kind of roughness."""
+    average = GROUND | {"roughness_average": "0.1 um"}
+    plain, grooved = (
+        SurfaceEntry.model_validate(average | lay) for lay in ({}, {"lay_ratio": 3, "lay": "axis"})
+    )
+    surfaces = {"sp": plain, "pr": grooved}
+    assert one_kind_of_roughness(surfaces) is surfaces

@@ -36,6 +36,7 @@ from asperity.joint_file.part_names import (
 from asperity.joint_file.parts import layout_of
 from asperity.joint_file.roller_profiles import crowns_of
 from asperity.joint_file.section_build import (
+    alike,
     entries,
     material_of,
     play_of,
@@ -73,7 +74,7 @@ def joint_at_temperatures(values: Values) -> Joint:
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
     names, cam = contacts_of(values), load.get("cam_force_per_torque")
-    surfaces = entries(values["surface"], names)
+    surfaces = alike(entries(values["surface"], names))
     law = contact_law_of(surfaces, stated=model.get("contact_law"))
     rings = pattern
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have

@@ -17,7 +17,7 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.quantity_key import Quantity
-from asperity.joint_file.section_build import rms_height_of_average, surface_of
+from asperity.joint_file.section_build import alike, rms_height_of_average, surface_of
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.types import Document
@@ -139,7 +139,9 @@ def interval_of_heights(
     """
     names, law_of_case = contacts_of(si_values(case)), LAWS[case.contact_law()]
     key = "decay_length" if "decay_length" in law_of_case.needs else "rms_height"
-    surfaces, shown, stated = {}, {}, dict(surface_entries(case))
+    surfaces, shown = {}, {}
+    paths, entries = zip(*surface_entries(case), strict=True)
+    stated = dict(zip(paths, alike(map(si_values, entries)), strict=True))
     for path, (low, middle, high) in heights.items():
         least, here, most = ratios[path]
         height = np.array([low, high, middle, middle, low, high])
@@ -147,7 +149,7 @@ def interval_of_heights(
         softer[1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0) / (here * height[1:4:2])
         numbers = here * height if key == "decay_length" else height
         surface = surface_of(
-            si_values(stated[path]) | {key: xp.asarray(numbers)},
+            stated[path] | {key: xp.asarray(numbers)},
             asperity_base=case.model.asperity_base,
             contact_law=law_of_case.name,
         )

@@ -11,7 +11,7 @@ from asperity.contact.laws.law import ContactLaw
 from asperity.contact.laws.registry import LAWS, law_for
 from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.law_keys import LAW_OF_KEY, LawKeys, refuse_unknown_keys
+from asperity.joint_file.law_keys import ABSENT, LAW_OF_KEY, LawKeys, refuse_halves, refuse_unknown_keys
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import Section
 from asperity.surface.measurement_of import WORDS, known_measurement_of
@@ -82,8 +82,8 @@ class MaterialEntry(Section):
         return self
 
 
-class SurfaceEntry(LawKeys):
-    """Roughness of a contact: D and G of both bodies together, the Ra of each, a length, or a measurement."""
+class SurfaceKeys(Section):
+    """Keys of a surface, apart from those that a contact law states itself."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
     """Finish of the library, e.g. "ground", for the published range of fractal_dimension; of all finishes if absent."""
@@ -118,6 +118,10 @@ class SurfaceEntry(LawKeys):
     frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO] | None = None
     """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as beside an Ra."""
 
+
+class SurfaceEntry(LawKeys, SurfaceKeys):
+    """Roughness of a contact: D and G of both bodies together, the Ra of each, a length, or a measurement."""
+
     def stated_keys(self) -> frozenset[str]:
         """The keys that have a value, one of a finish or of an Rz among them."""
         return frozenset(name for name, value in self if value is not None)
@@ -139,11 +143,12 @@ class SurfaceEntry(LawKeys):
 
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
+        refuse_halves(self.stated_keys())
         for alone in ALONE:
             stated = getattr(self, alone)
             if stated is None:
                 continue
-            other = ("measurement_of",) if alone == "measurement" else tuple(LAW_OF_KEY)
+            other = ("measurement_of",) if alone == "measurement" else (*LAW_OF_KEY, *ABSENT)
             beside = self.model_fields_set - {alone, *other}
             if beside:
                 raise InputError(

@@ -23,6 +23,7 @@ from asperity.joint_file.drive_sections import (
 from asperity.joint_file.fluid_entries import FluidEntry, FluidName
 from asperity.joint_file.form_entries import FormEntry
 from asperity.joint_file.heat_refusals import refuse_heat_of_nothing
+from asperity.joint_file.law_keys import refuse_keys_of_others
 from asperity.joint_file.lubricant import refuse_oil
 from asperity.joint_file.material_entries import (
     ContactLawName,
@@ -274,7 +275,9 @@ class Case(WholeFile):
         stated = self.model.contact_law
         measured = stated is not None and LAWS[stated].from_measurement == "decay_length"
         if not measured:  # a measured surface takes the place of the file's
-            self.contact_law()
+            stated = self.contact_law()
+        assert stated is not None
+        refuse_keys_of_others(self._surface_keys(), stated)
         return self
 
     def contact_law(self) -> ContactLawName:

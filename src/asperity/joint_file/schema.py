@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from asperity.drive.types import DEFAULT_TYPE
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.law_keys import LAW_OF_KEY
+from asperity.joint_file.law_keys import BESIDE, LAW_OF_KEY
 from asperity.joint_file.material_entries import ALONE, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
@@ -115,4 +115,5 @@ def _offer_finishes(schema: Schema) -> None:
         name: {"anyOf": heights}
         for name in ("partner_roughness_average", "partner_mean_roughness_depth", "cut_off")
     }
+    entry["dependentRequired"] = {key: [beside] for key, beside in BESIDE.items()}
     entry["not"] = {"required": ["partner_roughness_average", "partner_mean_roughness_depth"]}

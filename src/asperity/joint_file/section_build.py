@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterable
 from typing import Any
 
 from asperity.contact.asperity import AsperityBase
@@ -11,6 +12,7 @@ from asperity.contact.laws.registry import LAWS
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
+from asperity.joint_file.law_keys import ABSENT, LAWS_OF_KEY, RIVALS, refuse_halves
 from asperity.joint_file.lubricant import lubricant_of
 from asperity.joint_file.material_entries import OF_AVERAGE, ContactLawName
 from asperity.joint_file.model import Case
@@ -131,8 +133,20 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
 def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLawName) -> ContactLaw:
     """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
     law = LAWS[contact_law]
+    refuse_halves(entry)
     numbers = {key: entry[key] if key in entry else _OF_AVERAGE[key](entry) for key in law.needs}
+    numbers |= {key: entry[key] for key in ABSENT if key in entry and law in LAWS_OF_KEY[key]}
     return law.of_surface(numbers, asperity_base=asperity_base)
+
+
+def alike(surfaces: Iterable[Values]) -> tuple[Values, ...]:
+    """Surfaces of which each states what one of them does of the keys that may be left out."""
+    found = tuple(surfaces)
+    some = {key: absent for key, absent in ABSENT.items() if any(key in entry for entry in found)}
+    return tuple(
+        {key: absent for key, absent in some.items() if not RIVALS.get(key, set()) & entry.keys()} | entry
+        for entry in found
+    )
 
 
 def _roughness_of_average(entry: Values) -> Any:

@@ -22,6 +22,7 @@ from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.fluid_entries import CURVES, FluidEntry
+from asperity.joint_file.law_keys import RIVALS
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Distribution, Key, Quantity
@@ -66,6 +67,7 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     "decay_length": (*_BESIDE, "rms_height"),
     PARTNER_DEPTH: ("partner_roughness_average",),
     "partner_roughness_average": (PARTNER_DEPTH,),
+    **{key: tuple(sorted(rivals)) for key, rivals in RIVALS.items()},
 }
 _NAMED = ("materials", "fluids", "duty", "form", "branch", "roller", "contact")
 _STATED_PER_PART = "wear.coefficient"

@@ -168,16 +168,22 @@ def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int
     return StatedTrack(radius, max(tolerances), crowns[0] if crowns else None, names, "".join(profiles[:1]))
 
 
+_GROOVES = {"rolling": "grooves in the rolling direction", "axis": "grooves along the axis"}
+
+
 def surface_words(entry: Any) -> str:
     """What a file says of the surface of a contact, as a drawing states it."""
     depth, average = entry.mean_roughness_depth, entry.roughness_average
+    grooves = "" if entry.lay is None else f", {_GROOVES[entry.lay]}, lay ratio {entry.lay_ratio.text}"
+    if entry.rolling_share is not None:
+        grooves = f", {100.0 * entry.rolling_share.value:.3g} % of the waves in the rolling direction"
     if depth is not None:
-        return f"Rz {depth}" + _partner(entry)
+        return f"Rz {depth}" + _partner(entry) + grooves
     if average is not None:
-        return f"Ra {_length(average)}" + _partner(entry)
+        return f"Ra {_length(average)}" + _partner(entry) + grooves
     for words, quantity in (("Rq", entry.rms_height), ("decay length", entry.decay_length)):
         if quantity is not None:
-            return f"{words} {_length(quantity)} of both bodies together"
+            return f"{words} {_length(quantity)} of both bodies together{grooves}"
     of_law = [
         f"{key.replace('_', ' ')} {getattr(entry, key).text}" for key in LAW_OF_KEY if getattr(entry, key)
     ]

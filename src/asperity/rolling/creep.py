@@ -95,11 +95,13 @@ def contact_creep(
         s = \frac{\pi E^* B}{4 N/u_0}
 
     ``skew``: angles by which the axes are out of parallel [rad], None for parallel ones; the law under these forces of
-    the contacts [N]. Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
+    the contacts [N]. Equations (A6), (A13), (B1), (B3) and (B4) of :doc:`/equations`;
+    :mod:`asperity.contact.creep_layer`.
 
     Notes
     -----
-    The asperities' tangential over their normal stiffness is :math:`4G^*/E^*`. Their yield per e-fold of pressure is
+    The asperities' tangential over their normal stiffness is :math:`4G^*/E^*`, and that of (A13) in each direction on a
+    surface with grooves. Their yield per e-fold of pressure is
     :math:`u_0` of the contact law in use; the published law has no local form: its :math:`N/K_n` acts at every
     place. Across the rolling direction the same asperities lie on bodies that are softer in the ratio of the creepages
     at gross slip. The slices of a crowned contact share one creepage; their widths give one more factor, and the
@@ -148,7 +150,7 @@ def _creep_at(
     pairs = contacts.pairs
     normal = xp.where(normal_force > 0.0, normal_force, 1.0)
     friction = pairs.friction_coefficient
-    kappa = 4.0 * pairs.moduli.tangential_contact_modulus / pairs.moduli.contact_modulus
+    kappa = pairs.surface.stiffness_ratio(pairs.moduli)
     smooth = carter.gross_slip_creepage(
         friction_coefficient=friction,
         half_width=pairs.half_width(normal),
@@ -168,7 +170,8 @@ def _creep_at(
     along = layer_law(layer_ratio=ratio, stiffness_ratio=kappa)
     sideways = along
     if skew is not None:
-        sideways = layer_law(layer_ratio=ratio, stiffness_ratio=kappa * elastic)
+        across_rolling = pairs.surface.stiffness_ratio(pairs.moduli, along_axis=True)
+        sideways = layer_law(layer_ratio=ratio, stiffness_ratio=across_rolling * elastic)
 
     def factors(slip_ratio: Array) -> tuple[Array, Array, Real, Array | None]:
         """Layer ratio, layer factor, creepage across over along at gross slip, crown factor."""

@@ -89,6 +89,19 @@ class HeightSpectrum:
         square = (1.0 - below) @ all_bodies.sum(axis=1)
         return np.asarray(square + np.sum((below @ all_bodies) * (1.0 - beside), axis=-1))
 
+    def running(self, *, rolling: NDArray[np.float64], axial: NDArray[np.float64]) -> NDArray[np.float64]:
+        """As :meth:`squares` of a map, each wave by the share in which it runs in the rolling direction [m^2].
+
+        Waves are spread evenly over a bin, and over the part of it that is left out.
+        """
+        density = self._squares_of_all / np.outer(np.diff(self.rolling_edges), np.diff(self.axial_edges))
+        ends = [
+            np.minimum(edges, np.maximum(frequencies, lowest_frequency(edges))[..., None])
+            for edges, frequencies in ((self.rolling_edges, rolling), (self.axial_edges, axial))
+        ]
+        everything = np.sum(density * _running_over(self.rolling_edges, self.axial_edges))
+        return np.asarray(everything - np.sum(density * _running_over(*ends), axis=(-2, -1)))
+
     @property
     def _squares_of_all(self) -> NDArray[np.float64]:
         """Mean square of the waves of each bin, of all bodies with this surface, shape (rolling, axial) [m^2]."""
@@ -159,6 +172,14 @@ def _below(edges: NDArray[np.float64], frequency: Any) -> NDArray[np.float64]:
     return np.where(width > 0.0, np.clip(above / np.where(width > 0.0, width, 1.0), 0.0, 1.0), 1.0)
 
 
+def _running_over(rolling: NDArray[np.float64], axial: NDArray[np.float64]) -> NDArray[np.float64]:
+    r"""Integrals of :math:`x^2/(x^2 + y^2)` over the rectangles between edges x, the first axis, and edges y."""
+    x, y = rolling[..., :, None], axial[..., None, :]
+    turned = np.arctan2(y, x)
+    from_zero = 0.5 * (x**2 * turned + x * y - y**2 * (0.5 * np.pi - turned))
+    return np.asarray(np.diff(np.diff(from_zero, axis=-2), axis=-1))
+
+
 def _mean_squares(edges: NDArray[np.float64]) -> NDArray[np.float64]:
     """Mean square of the frequencies of each bin [1/m^2]."""
     return np.asarray((edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0)
@@ -195,6 +216,7 @@ def spectrum_from_document(entry: Any) -> HeightSpectrum:
             )
             and (np.diff(first) >= 0.0).all()
             and (np.diff(second) >= 0.0).all()
+            and (not is_map or min(np.diff(first).min(), np.diff(second).min()) > 0.0)
             and max(first[-1], second[-1]) > 0.0
             and (independent >= 0.99 / _HANN_LOSS**2).all()  # as _independent makes them
             and (square <= 1.0).all()

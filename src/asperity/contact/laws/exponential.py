@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from asperity.contact.asperity import AsperityBase
 from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, decay_length
-from asperity.contact.laws.by_decay_length import ELASTIC_ERROR, ByDecayLength
+from asperity.contact.laws.by_decay_length import ELASTIC_ERROR, ByDecayLength, share_of
 from asperity.contact.laws.law import DecayRatios, FromMeasurement, Quantity
-from asperity.types import Real
 
 if TYPE_CHECKING:
     from asperity.contact.felt_contacts import FeltContacts
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Exponential(ByDecayLength):
-    """Randomly rough elastic surfaces by the rms of their heights; (A10) of :doc:`/equations`."""
+    """Randomly rough elastic surfaces by the rms of their heights; (A10) and (A12) of :doc:`/equations`."""
 
     name: ClassVar[str] = "exponential"
     rank: ClassVar[int] = 20
@@ -40,9 +39,10 @@ class Exponential(ByDecayLength):
     error: ClassVar[str] = ELASTIC_ERROR.format(*OVER_BOUNDARY_ELEMENTS)
 
     @classmethod
-    def of_surface(cls, numbers: Mapping[str, Real], *, asperity_base: AsperityBase) -> Self:
-        """The law on a surface of which the rms of the heights is known."""
-        return cls(decay_length(rms_height=numbers["rms_height"]))
+    def of_surface(cls, numbers: Mapping[str, Any], *, asperity_base: AsperityBase) -> Self:
+        """The law on a surface of which the rms of the heights is known, and perhaps the lay."""
+        share = share_of(numbers)
+        return cls(decay_length(rms_height=numbers["rms_height"], rolling_share=share), share)
 
     @classmethod
     def decay_ratios(

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Self
 
 from asperity.contact.asperity import AsperityBase
+from asperity.contact.exponential import lay_stiffness_ratio
 from asperity.contact.interface import RoughContact
 from asperity.engine.module import Module
 from asperity.errors import InputError
@@ -67,16 +68,25 @@ class SurfaceKey(NamedTuple):
     """A number of [surface] that no other law takes: a key of joint files while the law is there.
 
     ``dimension``: its kind by the name in :class:`asperity.unit_table.Dimension`, "length"; ``lower`` and ``upper``,
-    the range that catches errors of typing, in ``unit``; ``example``: text that messages quote.
+    the range that catches errors of typing, in ``unit``; ``example``: text that messages quote. A key that is not among
+    the ``needs`` of the law may be left out. ``choices``: the words of a key that is no number, whose ``dimension`` is
+    "choice". ``absent``: what it is at a contact that does not state it where another one does. ``beside``: the key
+    without which it says nothing. ``reason``: why nothing below the range is possible, and what to do.
+    ``in_place_of``: keys beside which it cannot stand.
     """
 
     name: str
     meaning: str
     dimension: str
-    unit: str
-    lower: float
-    upper: float
-    example: str
+    unit: str = "1"
+    lower: float = 0.0
+    upper: float = 0.0
+    example: str = ""
+    choices: tuple[str, ...] = ()
+    absent: float | str | None = None
+    beside: str = ""
+    reason: str = ""
+    in_place_of: tuple[str, ...] = ()
 
 
 class DecayRatios(NamedTuple):
@@ -180,13 +190,13 @@ class ContactLaw(Module):
     abstract: ClassVar[bool] = True
 
     @classmethod
-    def of_surface(cls, numbers: Mapping[str, Real], *, asperity_base: AsperityBase) -> Self:
+    def of_surface(cls, numbers: Mapping[str, Any], *, asperity_base: AsperityBase) -> Self:
         """The law on the surface of one contact.
 
         Parameters
         ----------
         numbers : mapping
-            Key of :attr:`needs` → its number in SI units.
+            Key of :attr:`needs` → its number in SI units; those of :attr:`keys` that are stated, words among them.
         asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
             ``model.asperity_base`` of the joint file.
         """
@@ -195,6 +205,27 @@ class ContactLaw(Module):
     def rough_contact(self, rollers: PressedRollers) -> RoughContact:
         """Stiffnesses, and spots and load shares where the law has them, of rollers under load."""
         raise NotImplementedError
+
+    def stiffness_ratio(self, moduli: ContactPair, *, along_axis: bool = False) -> Real:
+        """Tangential over normal stiffness of the asperities without slip, in the rolling direction or along the axis.
+
+        Parameters
+        ----------
+        moduli : ContactPair
+            Of the two materials.
+        along_axis : bool, optional
+            Whether the force acts along the rollers' axis.
+
+        Returns
+        -------
+        Real
+            :math:`4G^*/E^*` without grooves [-].
+        """
+        return lay_stiffness_ratio(
+            contact_modulus=moduli.contact_modulus,
+            tangential_contact_modulus=moduli.tangential_contact_modulus,
+            share=None,
+        )
 
     def softer(self, factor: Real) -> Self:
         """The same surface with asperities that yield ``factor`` times as much [-], for the ends of an interval."""
