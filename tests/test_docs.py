@@ -39,7 +39,7 @@ FORMULA_MODULES = (
     series_stiffness,
 )
 #: Equations of the paper, and our own: how many of each letter.
-OURS = {"A": 13, "B": 14, "D": 3, "E": 7, "F": 6, "L": 4, "M": 5, "R": 4}
+OURS = {"A": 14, "B": 14, "D": 3, "E": 7, "F": 6, "L": 4, "M": 5, "R": 4}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }

@@ -249,6 +249,81 @@ def test_a_law_with_a_decay_length_has_it_at_every_point(folder, named_text):
         derivatives_at(si_values(case), {"load.preload": preload}, RESULTS[:1], ("load.preload",))
 
 
+#: A map with more of its waves in the rolling direction: mean squares of bins, the rolling direction first.
+MAP = {
+    "is_map": True,
+    "lay": None,
+    "axial_frequency_edges_per_m": list(EDGES),
+    "mean_square_height_m2": [[1e-14, 2e-14, 1e-14], [4e-14, 3e-14, 1e-14], [4e-14, 2e-14, 1e-14]],
+    "independent_ordinates": [[40.0, 80.0, 160.0]] * 3,
+}
+
+
+def share_by_hand(width, length):
+    """Of the waves that a contact feels, by many points in each bin."""
+    limits = [max(1.0 / size, 3.0 * EDGES[0]) for size in (width, length)]
+    running = total = 0.0
+    for i, j in np.ndindex(3, 3):
+        first, second = (EDGES[k] + (np.arange(400) + 0.5) / 400 * (EDGES[k + 1] - EDGES[k]) for k in (i, j))
+        felt = ~np.logical_and.outer(first < limits[0], second < limits[1])
+        share = first[:, None] ** 2 / np.add.outer(first**2, second**2)
+        running += MAP["mean_square_height_m2"][i][j] * np.mean(felt * share)
+        total += MAP["mean_square_height_m2"][i][j] * np.mean(felt)
+    return running / total
+
+
+@pytest.fixture
+def on_map(folder, named_text):
+    (folder / "roller.json").write_text(json.dumps(document(**MAP)))
+    return parse_case(named_text, source="joint.toml", folder=folder)
+
+
+@pytest.mark.slow
+def test_a_map_states_the_lay_of_each_contact(on_map):
+    """At the width that the contact has with it; it stands under Assumed, and the joint has it."""
+    joint = joint_from_case(on_map)
+    widths = 2.0 * np.asarray(solve_joint(joint).result.diagnostics.hertz_half_width)
+    for (name, entry), width, surface in zip(on_map.surface.items(), widths, joint.surfaces, strict=True):
+        length = min(5e-3, on_map.measured.pair.spectra[0].cut_off())
+        assert entry.rolling_share.value == pytest.approx(share_by_hand(width, length), rel=5e-3)
+        assert float(surface.rolling_share) == entry.rolling_share.value
+        assert any(f"{name} {entry.rolling_share.value:.3f}" in told for told in on_map.measured.assumed)
+    assert len({entry.rolling_share.value for entry in on_map.surface.values()}) > 1
+
+
+def test_a_profile_states_its_lay(named, folder, named_text):
+    """Grooves along the axis: all waves run in the rolling direction. Without grooves nothing is said of them."""
+    assert {entry.rolling_share.value for entry in named.surface.values()} == {1.0}
+    edges = ("rolling_frequency_edges_per_m", "axial_frequency_edges_per_m")
+    turned = {
+        edges[0]: [0.0, 0.0],
+        edges[1]: list(EDGES),
+        "mean_square_height_m2": [list(SQUARES)],
+        "independent_ordinates": [[40.0, 80.0, 160.0]],
+    }
+    for lay, share in (("rolling", 0.0), ("isotropic", None)):
+        (folder / "roller.json").write_text(json.dumps(document(lay=lay, **turned)))
+        case = parse_case(named_text, source="joint.toml", folder=folder)
+        stated = {entry.rolling_share and entry.rolling_share.value for entry in case.surface.values()}
+        assert stated == {share}
+
+
+@pytest.mark.slow
+def test_a_sweep_on_a_map_has_the_lay_of_separate_joints_and_its_slopes(on_map):
+    """Wider contacts feel other waves; derivatives against differences of a sweep."""
+    values, preload = si_values(on_map), np.array([700.0, 999.9, 1000.0, 1000.1])
+    status, results = evaluate_points(values, {"load.preload": preload}, ("drift", *RESULTS[:1]))
+    assert not status.any()
+    for point in (0, 2):
+        text = joint_file_text(on_map, {"load.preload": preload[point]}, comment="")
+        result = solve_joint(joint_from_case(parse_case(text, source="alone"))).result
+        assert results["drift"][point] == pytest.approx(float(result.rolling.drift_per_output_turn), rel=1e-8)
+    changes = {"load.preload": preload[2:3]}
+    _, _, slopes = derivatives_at(values, changes, ("drift", *RESULTS[:1]), ("load.preload",))
+    for name, found in results.items():
+        assert slopes[name][0, 0, 0] == pytest.approx((found[3] - found[1]) / 0.2, rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("key", "more", "remedy"),
     [

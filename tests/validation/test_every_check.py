@@ -34,6 +34,8 @@ CHECKS = {
     "tilted rollers": [(3, 0.0001), *(4 * [(2, 2e-3)]), (1, 1e-4)],
     "skewed rollers": [(2, 1e-06), (5, 1e-12), (5, 1e-12), (3, 1e-12), (2, 1e-05)],
     "asperities in rolling": [(20, 0.004), (5, 0.0006, ABSOLUTE)],
+    "lay": [(5, 0.02), (5, 0.01), (5, 0.01)],
+    "running in": [(10, 1e-12)],
     "oil": [(1, 0.0005), (1, 0.0007), (1, 0.0025)],
     "oil films and shares": [(11, 1.1e-4, ABSOLUTE), (11, 1.1e-5, ABSOLUTE), (11, 1.1e-4, ABSOLUTE)],
     "creep with oil": [

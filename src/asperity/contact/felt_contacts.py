@@ -31,6 +31,10 @@ class Felt(NamedTuple):
     axial: tuple[float, ...]  #: longest waves along the axis, for each body
     longest: float  #: share of the mean square in waves longer than half of the longest one
     squares: tuple[float, ...]  #: mean square of the heights of each body
+    rolling_share: float | None = (
+        None  #: of the waves that run in the rolling direction; None where no lay is known
+    )
+    rms_slope: float | None = None  #: rms gradient, of strips their slope; None where it is not known
 
 
 class FeltContacts(NamedTuple):

@@ -127,13 +127,20 @@ def _ends_of_heights(case: Case) -> Ends:
 
 
 def interval_of_heights(
-    case: Case, heights: Ends, ratios: Ends, form: dict[str, float] | None = None
+    case: Case,
+    heights: Ends,
+    ratios: Ends,
+    form: dict[str, float] | None = None,
+    run_in: dict[str, float] | None = None,
 ) -> Document:
     """Intervals of stiffness and drift by a law of heights or of a decay length, from its error and the heights' own.
 
     ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
     of the decay length over them [-], of which a law of the heights needs only the ratios to the middle; ``form``:
-    contact → what the soft end has beside them [m]. As :func:`drawn_interval`, the ends of both errors together;
+    contact → what the soft end has beside them [m]; ``run_in``: contact → how much stiffer its asperities are after
+    running in, for ``run_in``, the joint with the middle of the heights.
+
+    As :func:`drawn_interval`, the ends of both errors together;
     ``parts`` has those of each alone, ``contact_law``, with the form, and ``rms_height``; ``contacts`` has K_n and K_t
     of the asperities; ``surfaces``: path → the heights or decay lengths that are as soft as both ends.
     """
@@ -144,9 +151,12 @@ def interval_of_heights(
     stated = dict(zip(paths, alike(map(si_values, entries)), strict=True))
     for path, (low, middle, high) in heights.items():
         least, here, most = ratios[path]
+        name = path.removeprefix("surface.")
         height = np.array([low, high, middle, middle, low, high])
         softer = np.array([least, most, least, most, here, here]) / here
-        softer[1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0) / (here * height[1:4:2])
+        softer[1:4:2] += (form or {}).get(name, 0.0) / (here * height[1:4:2])
+        if run_in is not None:
+            height, softer = np.append(height, middle), np.append(softer, 1.0 / run_in[name])
         numbers = here * height if key == "decay_length" else height
         surface = surface_of(
             stated[path] | {key: xp.asarray(numbers)},
@@ -159,7 +169,7 @@ def interval_of_heights(
         joint_from_case(case),
         tuple(surfaces[path] for path in (f"surface.{name}" for name in names) if path in surfaces)
         or tuple(surfaces.values()),
-        shape=(6,),
+        shape=(6 if run_in is None else 7,),
     )
     both, law, roughness = (
         result_ends(
@@ -180,6 +190,7 @@ def interval_of_heights(
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
         "contacts": _asperity_ends(result, names),
+        **({} if run_in is None else {"run_in": _state(trees.map(lambda leaf: leaf[6], result))}),
         **({} if form is None else {"form_decay_length_m": form}),
         "surfaces": {path: {f"{key}_m": ends.tolist()} for path, ends in shown.items()},
         "title": "Interval of the contact law, and of the rms of the heights",
@@ -204,6 +215,21 @@ def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> Document:
             for direction, values in stiffness.items()
         }
         for number, name in enumerate(names)
+    }
+
+
+def _state(result: JointResult) -> Document:
+    """Stiffness at every level of the model at the output, and drift, of one surface; None where there is none."""
+
+    def number(value: Any) -> float | None:
+        usable = bool(result.solved) and bool(result.contact_law_holds) and bool(np.isfinite(value))
+        return float(value) if usable else None
+
+    return {
+        "published_Nm_per_rad": number(result.published.output),
+        "series_with_bulk_Nm_per_rad": number(result.series_with_bulk.output),
+        "assembly_Nm_per_rad": number(result.assembly.stiffness.output),
+        "drift_rad_per_output_turn": number(result.rolling.drift_per_output_turn),
     }
 
 

@@ -22,10 +22,15 @@ from asperity.joint_file.section_build import entries
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import ContactPair, pair
 from asperity.surface.height_spectrum import HeightSpectrum, lowest_frequency
+from asperity.surface.lay import DIRECTIONS, felt_rolling_share
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity
 
 Heights = NDArray[np.float64]
+#: Key of a surface → its numbers at all contacts, shape (contacts, points).
+Numbers = Mapping[str, Heights]
+#: Keys of what contacts feel of a measured surface.
+HEIGHT, SHARE = "rms_height", "rolling_share"
 
 #: Heights are settled that change by less than this share with the widths that they make.
 _SETTLED = 1e-9
@@ -37,9 +42,11 @@ def felt_contacts(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContac
     names, lengths = contacts_of(si_values(case)), contact_lengths(si_values(case))
     solved: list[tuple[Joint, Any]] = []
 
-    def widths_of(heights: Heights) -> Heights:
+    def widths_of(numbers: Numbers) -> Heights:
         joint = joint_from_case(
-            with_lengths(case, "rms_height", dict(zip(names, heights[:, 0], strict=True)))
+            with_numbers_of(
+                case, {key: dict(zip(names, felt[:, 0], strict=True)) for key, felt in numbers.items()}
+            )
         )
         solved.append((joint, solve_joint(joint).result.diagnostics))
         return 2.0 * np.asarray(solved[-1][1].hertz_half_width)[:, None]
@@ -55,24 +62,25 @@ def felt_contacts(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContac
 
 
 def settled_heights(
-    spectra: tuple[HeightSpectrum, ...], lengths: Heights, widths_of: Callable[[Heights], Heights]
-) -> tuple[Heights, NDArray[np.bool_]]:
-    """The rms of the heights that each contact feels at the width which it has with them, and where they settle.
+    spectra: tuple[HeightSpectrum, ...], lengths: Heights, widths_of: Callable[[Numbers], Heights]
+) -> tuple[Numbers, NDArray[np.bool_]]:
+    """What each contact feels at the width which it has with that, and where it settles: :func:`felt_numbers`.
 
-    ``lengths`` of the contact lines, heights, and the widths of heights, shape (contacts, points) [m]; widths are nan
-    where a joint has no solution: its heights stay.
+    ``lengths`` of the contact lines and the widths that numbers make, shape (contacts, points) [m]; widths are nan
+    where a joint has no solution: its numbers stay.
     """
-    heights = felt_at(spectra, np.full(lengths.shape, math.inf), lengths)
+    numbers = felt_numbers(spectra, np.full(lengths.shape, math.inf), lengths)
     settled = np.zeros(lengths.shape[1], dtype=bool)
     for _ in range(_MOST_PASSES):
-        widths = widths_of(heights)
+        widths = widths_of(numbers)
         stay = settled | ~np.all(np.isfinite(widths) & (widths > 0.0), axis=0)
-        before = heights
-        heights = np.where(stay, before, felt_at(spectra, np.where(stay, 1.0, widths), lengths))
-        settled |= np.all(np.abs(heights - before) <= _SETTLED * heights, axis=0)
+        before, found = numbers, felt_numbers(spectra, np.where(stay, 1.0, widths), lengths)
+        numbers = {key: np.where(stay, before[key], felt) for key, felt in found.items()}
+        close = [np.abs(felt - before[key]) <= _SETTLED * felt for key, felt in numbers.items()]
+        settled |= np.all(close, axis=(0, 1))
         if settled.all():
             break
-    return heights, settled
+    return numbers, settled
 
 
 def contact_lengths(values: Values) -> Heights:
@@ -88,12 +96,16 @@ def moduli_of(joint: Joint) -> tuple[ContactPair, ...]:
     return tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts)
 
 
-def with_lengths(case: Case, key: str, lengths: Mapping[str, float]) -> Case:
-    """The joint file with the rms of the heights, or the decay length, of each contact [m]."""
+def with_numbers_of(case: Case, numbers: Mapping[str, Mapping[str, float]]) -> Case:
+    """The joint file with numbers of the surface of each contact: key → contact → number in SI units."""
+    units = {key: "" if key == SHARE else " m" for key in numbers}
+    names = next(iter(numbers.values()))
     try:
         surface = {
-            name: SurfaceEntry.model_validate({key: f"{float(length)!r} m"})
-            for name, length in lengths.items()
+            name: SurfaceEntry.model_validate(
+                {key: f"{float(each[name])!r}{units[key]}" for key, each in numbers.items()}
+            )
+            for name in names
         }
     except ValidationError as error:
         (problem, *_) = error.errors()
@@ -117,6 +129,23 @@ def felt_at(spectra: tuple[HeightSpectrum, ...], widths: Heights, lengths: Heigh
             f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
         )
     return heights
+
+
+def has_lay(spectra: tuple[HeightSpectrum, ...]) -> bool:
+    """Whether something is known of the grooves: of every map, and of profiles whose lay is a direction."""
+    return any(spectrum.is_map or spectrum.lay in DIRECTIONS for spectrum in spectra)
+
+
+def felt_numbers(spectra: tuple[HeightSpectrum, ...], widths: Heights, lengths: Heights) -> Numbers:
+    """The rms of the heights [m], and the share of the waves in the rolling direction where a lay is known."""
+    numbers = {HEIGHT: felt_at(spectra, widths, lengths)}
+    if has_lay(spectra):
+        numbers[SHARE] = felt_rolling_share(
+            spectra,
+            rolling=(1.0 / widths,) * len(spectra),
+            axial=tuple(1.0 / np.minimum(lengths, spectrum.cut_off()) for spectrum in spectra),
+        )
+    return numbers
 
 
 def felt_by(
@@ -143,7 +172,25 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
         axial.append(limit)
         squares.append(one)
     deviation = 0.5 * math.sqrt(variance) / square
-    return Felt(math.sqrt(square), deviation, width, tuple(axial), long / square, tuple(squares))
+    limits = tuple(1.0 / limit for limit in axial)
+    share = None
+    if has_lay(spectra):
+        limited = {"rolling": (rolling,) * len(spectra), "axial": limits}
+        share = float(felt_rolling_share(spectra, **limited))
+    steep = 0.0
+    for spectrum, limit in zip(spectra, limits, strict=True):
+        wavenumber, one = spectrum.waves(rolling=rolling, axial=limit)
+        steep += float(np.sum(wavenumber**2 * one))
+    return Felt(
+        math.sqrt(square),
+        deviation,
+        width,
+        tuple(axial),
+        long / square,
+        tuple(squares),
+        share,
+        math.sqrt(steep),
+    )
 
 
 def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[str]:
@@ -161,6 +208,12 @@ def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[
         "axis, longer than its contact line or than the cut-off of ISO 4288 for the Ra of a body: "
         f"{'; '.join(parts)}"
     )
+    shares = {name: one.rolling_share for name, one in felt.items() if one.rolling_share is not None}
+    if shares:
+        told.append(
+            "measured surface: the share of these waves that runs in the rolling direction, half of a surface without "
+            f"grooves: {', '.join(f'{name} {share:.3f}' for name, share in shares.items())}"
+        )
     for number, spectrum in enumerate(measured.spectra):
         if spectrum.lay is not None:
             told.append(f"{spectrum.source}: a profile across its lay, which is stated as {spectrum.lay}")

@@ -77,8 +77,10 @@ def _fields() -> Document:
 
 if TYPE_CHECKING:
 
-    class LawKeys(Section):
+    class _Stated(Section):
         """Keys that contact laws state."""
+
+    LawKeys = _Stated
 
 else:
     LawKeys = create_model("LawKeys", __base__=Section, __module__=__name__, **_fields())

@@ -19,8 +19,15 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_side_by_side, with_law
 from asperity.joint_file.decay_ratios import ratios_of
 from asperity.joint_file.drawn_surface import Ends, interval_of_heights, with_measured_surface
-from asperity.joint_file.felt_heights import assumed_heights, felt_contacts, with_lengths
+from asperity.joint_file.felt_heights import (
+    HEIGHT,
+    SHARE,
+    assumed_heights,
+    felt_contacts,
+    with_numbers_of,
+)
 from asperity.joint_file.model import Case
+from asperity.joint_file.run_in import run_in_bound, run_in_document
 from asperity.joint_file.section_build import surface_of
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
@@ -94,6 +101,7 @@ class MeasuredSurface(NamedTuple):
             entry = {
                 "rms_height": xp.asarray(one.rms_height),
                 "decay_length": xp.asarray(ratio * one.rms_height),
+                **({} if one.rolling_share is None else {SHARE: xp.asarray(one.rolling_share)}),
             }
             surfaces.append(surface_of(entry, asperity_base=case.model.asperity_base, contact_law=law.name))
         return tuple(surfaces)
@@ -101,9 +109,20 @@ class MeasuredSurface(NamedTuple):
     def interval(self, case: Case, joint: Joint) -> Document:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None and self.ratios is not None:
-            return interval_of_heights(case, self.heights, self.ratios, self.form)
+            return self._interval_with_run_in(case)
         assert self.pair.fractal is not None
         return stiffness_interval(joint, self.pair.fractal)
+
+    def _interval_with_run_in(self, case: Case) -> Document:
+        """The interval of the heights, and the joint after running in where that is known of every contact."""
+        assert self.heights is not None
+        assert self.ratios is not None
+        assert self.contacts is not None
+        bound = run_in_bound(self.pair.spectra, self.contacts)
+        factors = bound.factors if bound.refused == "" else None
+        interval = interval_of_heights(case, self.heights, self.ratios, self.form, factors)
+        found = interval.pop("run_in", {})
+        return interval | {"run_in": run_in_document(bound, found)}
 
 
 def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str, ...] = ()) -> Case:
@@ -145,10 +164,16 @@ def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str,
     heights_told = assumed_heights(pair, contacts.felt)
     told = (measured.words, *heights_told, *assumed, *_form_assumed(contacts, ratios, form))
     surface = MeasuredSurface(measured, told, heights, ratios, contacts, form, files)
-    lengths = {
-        name: rms * (ratios[f"surface.{name}"][1] if by_length else 1.0) for name, (rms, _) in ends.items()
+    numbers = {
+        "decay_length" if by_length else HEIGHT: {
+            name: rms * (ratios[f"surface.{name}"][1] if by_length else 1.0)
+            for name, (rms, _) in ends.items()
+        }
     }
-    return with_lengths(case, "decay_length" if by_length else "rms_height", lengths).with_measured(surface)
+    shares = {name: one.rolling_share for name, one in contacts.felt.items() if one.rolling_share is not None}
+    if shares:
+        numbers[SHARE] = shares
+    return with_numbers_of(case, numbers).with_measured(surface)
 
 
 def _form_assumed(contacts: FeltContacts, ratios: Ends, form: dict[str, float]) -> list[str]:

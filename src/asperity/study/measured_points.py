@@ -16,15 +16,19 @@ from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.decay_ratios import ratios_of
 from asperity.joint_file.felt_heights import (
+    HEIGHT,
+    SHARE,
     Heights,
+    Numbers,
     contact_lengths,
-    felt_at,
     felt_by,
+    felt_numbers,
     moduli_of,
     settled_heights,
 )
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import MEASURED, Values, replace_values, with_numbers, without_measurement
+from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_from_document
 from asperity.types import Document
 
@@ -49,9 +53,10 @@ def with_felt_surfaces(
     count = np.size(next(iter(points.values()))) if points else 1
     if names[0] not in surface:  # D and G, which every contact has, whatever its width
         return tables, dict(points), np.ones(count, dtype=bool)
-    of_heights = "rms_height" in surface[names[0]]
+    of_heights = HEIGHT in surface[names[0]]
+    lay = {name: {SHARE: surface[name][SHARE]} if SHARE in surface[name] else {} for name in names}
     by_heights = tables | {
-        "surface": {name: {"rms_height": math.nan} for name in names},
+        "surface": {name: {HEIGHT: math.nan} | lay[name] for name in names},
         "model": tables["model"]
         if of_heights
         else tables["model"] | {"contact_law": law_for("measurement").name},
@@ -61,14 +66,14 @@ def with_felt_surfaces(
     lengths = _lengths(by_heights, alike, count)
     last: dict[str, np.ndarray] = {}
 
-    def widths_of(heights: Heights) -> Heights:
-        last.update(states(by_heights, alike | _columns(names, "rms_height", heights)))
+    def widths_of(numbers: Numbers) -> Heights:
+        last.update(states(by_heights, alike | _moving(measured, names, numbers)))
         return 2.0 * last[WIDTH]
 
-    heights, settled = settled_heights(measured.spectra, lengths, widths_of)
+    felt_here, settled = settled_heights(measured.spectra, lengths, widths_of)
     if of_heights:
-        return tables, dict(points) | _columns(names, "rms_height", heights), settled
-    felt = np.array(heights)
+        return tables, dict(points) | _moving(measured, names, felt_here), settled
+    felt = np.array(felt_here[HEIGHT])
     for point in np.flatnonzero(np.isfinite(last[WIDTH]).all(axis=0)):
         numbers = {path: column[point] for path, column in alike.items()}
         contacts = FeltContacts(
@@ -82,7 +87,8 @@ def with_felt_surfaces(
             settled[point] = False
         else:
             felt[:, point] = [ratios[f"surface.{name}"][1] * contacts.felt[name].rms_height for name in names]
-    return tables, dict(points) | _columns(names, "decay_length", felt), settled
+    by_length = {"decay_length": felt} | {key: felt_here[key] for key in felt_here if key != HEIGHT}
+    return tables, dict(points) | _moving(measured, names, by_length), settled
 
 
 def refuse_derivatives(values: Values) -> None:
@@ -104,27 +110,34 @@ def refuse_derivatives(values: Values) -> None:
 def heights_moved(
     values: Values, columns: Columns, half_widths: np.ndarray, slopes: np.ndarray, variables: tuple[str, ...]
 ) -> np.ndarray:
-    r"""By how much the heights that contacts feel move with variables, shape (points, contacts, variables) [SI].
+    r"""By how much what contacts feel moves with variables, shape (points, felt, variables) [SI].
 
     .. math::
         \frac{dh}{dx} = \Bigl(1 - \frac{\partial h}{\partial w}\frac{\partial w}{\partial h}\Bigr)^{-1}
         \Bigl(\frac{\partial h}{\partial w}\frac{\partial w}{\partial x}
         + \frac{\partial h}{\partial B}\frac{\partial B}{\partial x}\Bigr)
 
-    with the widths w of the contacts, their lengths B and the ``slopes`` of their half-widths by the variables and by
-    the heights, shape (contacts, points, variables + contacts).
+    with the heights h of all contacts, on maps their shares of the waves in the rolling direction behind them, the
+    widths w of the contacts, their lengths B and the ``slopes`` of their half-widths by the variables and by what they
+    feel, shape (contacts, points, variables + felt).
     """
     tables, spectra = without_measurement(values), _roughness(values[MEASURED]).spectra
     widths = 2.0 * np.where(half_widths > 0.0, half_widths, 0.5)  # any where there is no joint
     lengths = _lengths(tables, columns, widths.shape[1])
     nothing = with_numbers(tables, itertools.repeat(0.0))
     longer = [contact_lengths(replace_values(nothing, {path: 1.0}))[:, 0] for path in variables]
-    by_width = _slope(lambda factor: felt_at(spectra, factor * widths, lengths)) / widths
-    by_length = _slope(lambda factor: felt_at(spectra, widths, factor * lengths)) / lengths
-    gain = 2.0 * (by_width[..., None] * slopes).transpose(1, 0, 2)
+
+    def felt(widths: Heights, lengths: Heights) -> Heights:
+        """Heights, and shares of maps, of all contacts below each other."""
+        return np.concatenate(list(_that_move(spectra, felt_numbers(spectra, widths, lengths)).values()))
+
+    many = len(felt(widths, lengths)) // len(widths)
+    by_width = _slope(lambda factor: felt(factor * widths, lengths)) / np.tile(widths, (many, 1))
+    by_length = _slope(lambda factor: felt(widths, factor * lengths)) / np.tile(lengths, (many, 1))
+    gain = 2.0 * (by_width[..., None] * np.tile(slopes, (many, 1, 1))).transpose(1, 0, 2)
     count = len(variables)
-    direct = by_length.T[:, :, None] * np.array(longer).T
-    return np.linalg.solve(np.eye(len(widths)) - gain[..., count:], gain[..., :count] + direct)
+    direct = by_length.T[:, :, None] * np.tile(np.array(longer).T, (many, 1))
+    return np.linalg.solve(np.eye(len(by_width)) - gain[..., count:], gain[..., :count] + direct)
 
 
 def _slope(function: Callable[[float], Heights], step: float = 1e-6) -> Heights:
@@ -135,6 +148,20 @@ def _slope(function: Callable[[float], Heights], step: float = 1e-6) -> Heights:
 def _lengths(tables: Values, columns: Columns, count: int) -> Heights:
     lengths = contact_lengths(replace_values(tables, columns))
     return np.array(np.broadcast_to(lengths, (len(lengths), count)))
+
+
+def _that_move(spectra: tuple[HeightSpectrum, ...], numbers: Numbers) -> Numbers:
+    """Those of what contacts feel that move with their widths: the lay of profiles does not."""
+    maps = any(spectrum.is_map for spectrum in spectra)
+    return {key: felt for key, felt in numbers.items() if maps or key != SHARE}
+
+
+def _moving(measured: MeasuredRoughness, names: tuple[str, ...], numbers: Numbers) -> Document:
+    """Columns of points with what contacts feel."""
+    moving = _that_move(measured.spectra, numbers)
+    return {
+        path: column for key, felt in moving.items() for path, column in _columns(names, key, felt).items()
+    }
 
 
 def _columns(names: tuple[str, ...], key: str, lengths: Heights) -> Document:

@@ -158,6 +158,8 @@ def _interval(document: Document) -> Iterator[Block]:
     if rows := _interval_rows(interval):
         yield Table("Asperities of the contacts in this interval", _INTERVAL_HEADS, rows)
     yield Paragraph(interval["words"])
+    if "run_in" in interval:
+        yield Paragraph(interval["run_in"]["words"])
 
 
 _INTERVAL_HEADS = (
