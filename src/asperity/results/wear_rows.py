@@ -38,7 +38,9 @@ def worn_life(solved: SolvedJoint) -> WornLife:
     if joint.wear_coefficients is None:
         return WornLife(math.nan, math.nan, "no life under wear: the file states no wear.coefficient")
     if joint.logarithmic_crowns is not None:
-        return WornLife(math.nan, math.nan, "no life under wear: how profiles (NAME_profile) wear is not computed")
+        return WornLife(
+            math.nan, math.nan, "no life under wear: how profiles (NAME_profile) wear is not computed"
+        )
     if joint.interference is None and joint.cam is None:
         why = "no life under wear: load.preload does not say what wear takes from it; state load.interference"
         return WornLife(math.nan, math.nan, why)
