@@ -28,6 +28,11 @@ def test_sums_are_those_of_the_components(accuracy):
     assert document["contacts"]["sp_2"]["normal_N"]["worst"] == pytest.approx(forces.sum())
     assert json.loads(json.dumps(document)) == document
     assert len(document["reverse"]["components"]) == len(errors)
+    lost = asperity.windup(asperity.load(FILE))["lost_motion"]
+    assert document["lost_motion_rad"] == pytest.approx(float(lost.si), rel=1e-9)
+    assert document["bidirectional_repeatability_rad"] == pytest.approx(
+        document["bidirectional_error_rad"]["worst"] + document["lost_motion_rad"]
+    )
 
 
 def test_three_sectors_have_components_of_their_own(accuracy):

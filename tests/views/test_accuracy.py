@@ -37,7 +37,7 @@ def test_what_symmetry_leaves_out_is_nought(document):
 def test_both_directions(document):
     found = tables(accuracy(document))
     assert "Contacts over a turn in the other direction" in found
-    assert len(found["Transmission error in both directions"].rows) == 3
+    assert len(found["Transmission error in both directions"].rows) == 5
     assert "lost motion" in " ".join(sentences(accuracy(document)))
 
 
@@ -72,7 +72,9 @@ def test_no_rounding_errors_where_symmetry_leaves_nothing():
     assert figures["transmission error"] == figures["transmission error, rms"] == "0"
     assert figures["input torque"] == "0"
     directions = tables(blocks)["Transmission error in both directions"].rows
-    assert {row[1:] for row in directions} == {("0", "0")}
+    assert {row[1:] for row in directions if "wind-up" not in row[0] and "repeat" not in row[0]} == {
+        ("0", "0")
+    }
 
 
 def test_of_contacts_alike_the_first_is_named(document):

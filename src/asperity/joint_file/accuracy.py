@@ -10,7 +10,7 @@ from asperity.drive.layout.drive import Drive
 from asperity.drive.state.rolling_balance import RollingBalance
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import assembled
 from asperity.joint.description import Joint, without_duty
 from asperity.joint.machine import joint_machine
@@ -70,7 +70,21 @@ def joint_accuracy(case: AnyCase, *, reverse: bool = False) -> AccuracyOfJoint:
         backward=backward,
         over_turn=over_turn(forward),
         diameters=tuple(2.0 * _radius(rolling, error) for error in errors),
+        lost_motion=_lost_motion(joint) if reverse else None,
     )
+
+
+def _lost_motion(joint: Joint) -> float | None:
+    """Lost motion of the wind-up under the torque of a joint [rad]; None where it does not stand under it both ways."""
+    torque = abs(float(joint.output_torque))
+    if torque == 0.0:
+        return None
+    from asperity.standing.windup import windup
+
+    try:
+        return float(windup(without_duty(joint), largest_torque=torque, level="assembly").lost_motion)
+    except (InputError, NoSolutionError):
+        return None
 
 
 def turn_errors_of(values: Values) -> TurnErrors:

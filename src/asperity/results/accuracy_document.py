@@ -22,7 +22,8 @@ class AccuracyOfJoint(NamedTuple):
 
     Name of its ``output``, torque there [N·m], and number of sectors; ``forward`` in the direction of its file,
     ``backward`` in the other one under the same torque, None where nobody asked; ``over_turn`` forward;
-    ``diameters`` of the tracks of the components [m].
+    ``diameters`` of the tracks of the components [m]; ``lost_motion`` of the wind-up under the torque [rad], None where
+    nobody asked or the joint does not stand under it in both directions.
     """
 
     output: str
@@ -32,6 +33,7 @@ class AccuracyOfJoint(NamedTuple):
     backward: Accuracy | None
     over_turn: OverTurn
     diameters: tuple[float, ...]
+    lost_motion: float | None = None
 
 
 def accuracy_document(
@@ -65,6 +67,11 @@ def accuracy_document(
             "components": _components(accuracy.backward),
         }
         document["accuracy"]["bidirectional_error_rad"] = _budget(both)
+        lost = accuracy.lost_motion
+        document["accuracy"]["lost_motion_rad"] = lost
+        document["accuracy"]["bidirectional_repeatability_rad"] = (
+            None if lost is None else float(both.worst) + lost
+        )
     return document
 
 

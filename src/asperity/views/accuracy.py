@@ -175,6 +175,12 @@ def _directions(found: Document) -> Table:
             ("difference at the same position", both),
         )
     ]
+    lost, repeats = found["lost_motion_rad"], found["bidirectional_repeatability_rad"]
+    if lost is not None:
+        rows += [
+            ("lost motion of the wind-up", number(lost, _ARCSECONDS), NONE),
+            ("bidirectional repeatability: both together", number(repeats, _ARCSECONDS), NONE),
+        ]
     return Table(
         "Transmission error in both directions",
         ("direction", "worst\narcsec", "rms\narcsec"),
@@ -200,5 +206,10 @@ def _notes(document: Document) -> Iterator[str]:
         "Drift is no part of the transmission error: it adds up with every turn under a torque of one sense, forwards "
         "and backwards; of a torque that turns with the rotation, such as friction, a return takes it back."
     )
-    if "reverse" in found:
-        yield "Repeatability in both directions has the lost motion of the wind-up besides ('asperity windup')."
+    if "reverse" in found and found["lost_motion_rad"] is None:
+        yield (
+            "The lost motion of the wind-up is not known: there is no torque, or the joint does not stand under it in "
+            "both directions. Repeatability has it besides."
+        )
+    elif "reverse" in found:
+        yield "The lost motion is that of the middle line of 'asperity windup' under this torque."
