@@ -9,15 +9,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from asperity.contact.crown_shapes import (
-    compression_of_slices,
-    end_compression,
-    factor_drift,
-    length_factor,
-    loaded_share,
-    share_growth,
-    spread,
-)
+from asperity.contact.crown_shapes import CrownShape
 from asperity.contact.crowned_line import crown_compliance, crown_compression, crowned_line
 from asperity.engine.control import at_once
 
@@ -128,21 +120,18 @@ def test_slopes_of_the_shapes_are_differences():
     approach, step = np.array([0.05, 0.5, 3.0]), 1e-6
     crown, place = np.array([0.3, 0.2, 0.1]), 0.97
     for logarithmic in (None, np.array([1.0, 0.0, 1.0])):
+        less, shape, more = (
+            CrownShape(approach * factor, crown, logarithmic) for factor in (1.0 - step, 1.0, 1.0 + step)
+        )
 
-        def along(function, logarithmic=logarithmic):
-            less, more = (function(approach * (1.0 + s), crown, logarithmic) for s in (-step, step))
-            return (more - less) / (2.0 * step)
+        def along(value, less=less, more=more):
+            return (value(more) - value(less)) / (2.0 * step)
 
-        def of_slice(eta, rho, shape):
-            return compression_of_slices(eta, rho, shape, place)[0]
-
-        drift = factor_drift(approach, crown, logarithmic)
-        assert drift == pytest.approx(along(length_factor), rel=1e-5, abs=1e-9)
-        growth = along(lambda *given: np.log(loaded_share(*given)))
-        assert share_growth(approach, crown, logarithmic) == pytest.approx(growth, rel=1e-5, abs=1e-9)
-        slope = compression_of_slices(approach, crown, logarithmic, place)[1]
-        assert slope == pytest.approx(along(of_slice), rel=1e-5)
-        assert np.all(spread(approach, crown, logarithmic) <= 1.0)
-        ends = end_compression(approach, crown, logarithmic)
+        assert shape.factor_drift() == pytest.approx(along(CrownShape.length_factor), rel=1e-5, abs=1e-9)
+        growth = along(lambda one: np.log(one.loaded_share()))
+        assert shape.share_growth() == pytest.approx(growth, rel=1e-5, abs=1e-9)
+        slope = shape.slices(place)[1]
+        assert slope == pytest.approx(along(lambda one: one.slices(place)[0]), rel=1e-5)
+        assert np.all(shape.spread() <= 1.0)
         free = (approach < crown) if logarithmic is None else (approach < crown) | (logarithmic > 0.0)
-        assert ends == pytest.approx(np.where(free, 0.0, approach - crown))
+        assert shape.end_compression() == pytest.approx(np.where(free, 0.0, approach - crown))

@@ -10,89 +10,83 @@ where all have.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from asperity.engine.arrays import xp
 from asperity.types import Array
 
 _POWER = 4  # of the smooth minimum of the free length of contact and the length of the rollers
+_EVEN = 2.0 * math.log(2.0) - 2.0  # of the whole length
 
 
-def _free_power(approach: Array, crown: Array) -> Array:
-    return ((crown / approach) ** 2) ** (_POWER // 2)
+class CrownShape(NamedTuple):
+    """Crowns of contacts under an approach, arrays of one shape (contacts, ...) [-]; equations (B4) and (B13)."""
 
+    approach: Array
+    crown: Array
+    logarithmic: Array | None
 
-def _decay(approach: Array, crown: Array, logarithmic: Array) -> tuple[Array, Array]:
-    """Approach over the crown of logarithmic profiles, and 1 of others; the exponential of minus that."""
-    profiled = logarithmic > 0.0
-    ratio = xp.where(profiled, approach / xp.where(profiled, crown, 1.0), 1.0)
-    return ratio, xp.exp(-ratio)
+    def _free_power(self) -> Array:
+        return ((self.crown / self.approach) ** 2) ** (_POWER // 2)
 
+    def _of(self, profile: Array, circle: Array) -> Array:
+        """The one of logarithmic profiles, the other of circles."""
+        assert self.logarithmic is not None
+        return xp.where(self.logarithmic > 0.0, profile, circle)
 
-def loaded_share(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """Share of the length that is loaded."""
-    free = approach < crown
-    circle = xp.where(free, xp.sqrt(approach / xp.where(free, crown, 1.0)), 1.0)
-    if logarithmic is None:
-        return circle
-    ratio, _ = _decay(approach, crown, logarithmic)
-    return xp.where(logarithmic > 0.0, xp.sqrt(-xp.expm1(-ratio)), circle)
+    def _ratio(self) -> Array:
+        """Approach over the crown of logarithmic profiles, and 1 of others."""
+        assert self.logarithmic is not None
+        profiled = self.logarithmic > 0.0
+        return xp.where(profiled, self.approach / xp.where(profiled, self.crown, 1.0), 1.0)
 
+    def loaded_share(self) -> Array:
+        """Share of the length that is loaded."""
+        free = self.approach < self.crown
+        circle = xp.where(free, xp.sqrt(self.approach / xp.where(free, self.crown, 1.0)), 1.0)
+        if self.logarithmic is None:
+            return circle
+        return self._of(xp.sqrt(-xp.expm1(-self._ratio())), circle)
 
-def spread(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """The loaded share without a kink where the load reaches the ends: the length on which compression depends."""
-    circle = xp.exp(-0.5 / _POWER * xp.log1p(_free_power(approach, crown)))
-    if logarithmic is None:
-        return circle
-    return xp.where(logarithmic > 0.0, loaded_share(approach, crown, logarithmic), circle)
+    def spread(self) -> Array:
+        """The loaded share without a kink where the load reaches the ends: that on which compression depends."""
+        circle = xp.exp(-0.5 / _POWER * xp.log1p(self._free_power()))
+        return circle if self.logarithmic is None else self._of(self.loaded_share(), circle)
 
+    def length_factor(self) -> Array:
+        """Compression over squared width of a slice plus the logarithm of the latter, 2 ln(2 s) − 2."""
+        circle = _EVEN - xp.log1p(self._free_power()) / _POWER
+        if self.logarithmic is None:
+            return circle
+        return self._of(_EVEN + xp.log(-xp.expm1(-self._ratio())), circle)
 
-def length_factor(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """Compression over squared width of a slice plus the logarithm of the latter, 2 ln(2 s) − 2."""
-    even = 2.0 * math.log(2.0) - 2.0
-    circle = even - xp.log1p(_free_power(approach, crown)) / _POWER
-    if logarithmic is None:
-        return circle
-    ratio, _ = _decay(approach, crown, logarithmic)
-    return xp.where(logarithmic > 0.0, even + xp.log(-xp.expm1(-ratio)), circle)
+    def factor_drift(self) -> Array:
+        """Slope of the factor over the logarithm of the approach."""
+        power = self._free_power()
+        circle = power / (1.0 + power)
+        if self.logarithmic is None:
+            return circle
+        ratio = self._ratio()
+        return self._of(ratio * xp.exp(-ratio) / -xp.expm1(-ratio), circle)
 
+    def share_growth(self) -> Array:
+        """Slope of the logarithm of the loaded share over that of the approach."""
+        circle = xp.where(self.approach < self.crown, 0.5, 0.0)
+        return circle if self.logarithmic is None else self._of(0.5 * self.factor_drift(), circle)
 
-def factor_drift(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """Slope of :func:`length_factor` over the logarithm of the approach."""
-    power = _free_power(approach, crown)
-    circle = power / (1.0 + power)
-    if logarithmic is None:
-        return circle
-    ratio, decay = _decay(approach, crown, logarithmic)
-    return xp.where(logarithmic > 0.0, ratio * decay / -xp.expm1(-ratio), circle)
+    def slices(self, place: Array | float) -> tuple[Array, Array]:
+        """Compression at places over the loaded half, and its slope over the logarithm of the approach."""
+        free = self.approach < self.crown
+        circle = self.approach - xp.where(free, self.approach, self.crown) * place**2
+        growth = xp.where(free, circle, self.approach)
+        if self.logarithmic is None:
+            return circle, growth
+        left = (1.0 - place**2) + place**2 * xp.exp(-self._ratio())
+        found = self.approach + self.crown * xp.log(left)  # (B13)
+        change = self.approach - self.crown * self.factor_drift() * (1.0 - left) / left
+        return self._of(found, circle), self._of(change, growth)
 
-
-def compression_of_slices(
-    approach: Array, crown: Array, logarithmic: Array | None, place: Array
-) -> tuple[Array, Array]:
-    """Compression at places over the loaded half, and its slope over the logarithm of the approach."""
-    free = approach < crown
-    circle = approach - xp.where(free, approach, crown) * place**2
-    growth = xp.where(free, circle, approach)
-    if logarithmic is None:
-        return circle, growth
-    profiled = logarithmic > 0.0
-    _, decay = _decay(approach, crown, logarithmic)
-    left = (1.0 - place**2) + place**2 * decay
-    drift = factor_drift(approach, crown, logarithmic)
-    found = approach + crown * xp.log(left)
-    change = approach - crown * drift * (1.0 - left) / left
-    return xp.where(profiled, found, circle), xp.where(profiled, change, growth)
-
-
-def share_growth(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """Slope of the logarithm of :func:`loaded_share` over that of the approach."""
-    circle = xp.where(approach < crown, 0.5, 0.0)
-    if logarithmic is None:
-        return circle
-    return xp.where(logarithmic > 0.0, 0.5 * factor_drift(approach, crown, logarithmic), circle)
-
-
-def end_compression(approach: Array, crown: Array, logarithmic: Array | None) -> Array:
-    """Compression at the ends of the rollers, 0 where they are free."""
-    circle = xp.where(approach > crown, approach - crown, 0.0)
-    return circle if logarithmic is None else xp.where(logarithmic > 0.0, 0.0, circle)
+    def end_compression(self) -> Array:
+        """Compression at the ends of the rollers, 0 where they are free."""
+        circle = xp.where(self.approach > self.crown, self.approach - self.crown, 0.0)
+        return circle if self.logarithmic is None else self._of(xp.zeros_like(circle), circle)

@@ -17,15 +17,7 @@ from functools import partial
 
 import numpy as np
 
-from asperity.contact.crown_shapes import (
-    compression_of_slices,
-    end_compression,
-    factor_drift,
-    length_factor,
-    loaded_share,
-    share_growth,
-    spread,
-)
+from asperity.contact.crown_shapes import CrownShape
 from asperity.contact.strip_theory import strip_logarithm
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop
@@ -121,16 +113,17 @@ def _logarithm(compression: Array, factor: Array) -> Array:
 
 def _carried(approach: Array, crown: Array, logarithmic: Array | None = None) -> tuple[Array, Array]:
     """Load of the slices, as the squared width of a contact that is loaded evenly, and its slope over ln eta."""
-    drift = factor_drift(approach, crown, logarithmic)
+    shape = CrownShape(approach, crown, logarithmic)
+    drift = shape.factor_drift()
     place, weight = (_along(values, approach) for values in (_PLACE, _WEIGHT))
-    compression, growing = compression_of_slices(approach, crown, logarithmic, place)
-    logarithm = _logarithm(compression, length_factor(approach, crown, logarithmic))
+    compression, growing = shape.slices(place)
+    logarithm = _logarithm(compression, shape.length_factor())
     squared_width = compression / logarithm
     growth = growing - squared_width * drift
     load = xp.sum(weight * squared_width, axis=0)
     slope = xp.sum(weight * growth / (logarithm - 1.0), axis=0)
-    share = loaded_share(approach, crown, logarithmic)
-    return share * load, share * (slope + share_growth(approach, crown, logarithmic) * load)
+    share = shape.loaded_share()
+    return share * load, share * (slope + shape.share_growth() * load)
 
 
 @partial(with_rule, none_for_zero=True)
@@ -268,12 +261,13 @@ def crowned_line(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 5.6; equation (B4) of :doc:`/equations`.
     """
-    load, crown, shape = _scaled(
+    load, crown, profiled = _scaled(
         normal_force, crown_curvature, contact_length, effective_radius, contact_modulus, logarithmic
     )
-    approach = _approach_of(load, crown, shape)
-    share, factor = loaded_share(approach, crown, shape), length_factor(approach, crown, shape)
-    at_end = end_compression(approach, crown, shape)
+    approach = _approach_of(load, crown, profiled)
+    shape = CrownShape(approach, crown, profiled)
+    share, factor = shape.loaded_share(), shape.length_factor()
+    at_end = shape.end_compression()
 
     def squared_width(compression: Array) -> Array:
         pressed = compression > 0.0
@@ -281,14 +275,10 @@ def crowned_line(
         return xp.where(pressed, some / _logarithm(some, factor), 0.0)
 
     place, weight = (_along(np.insert(values, 0, 0.0), approach) for values in (_PLACE, _WEIGHT))
-    compression = (
-        approach - crown * (share * place) ** 2
-        if shape is None
-        else compression_of_slices(approach, crown, shape, place)[0]
-    )
+    compression = approach - crown * (share * place) ** 2 if profiled is None else shape.slices(place)[0]
     squared, end = squared_width(compression), squared_width(at_end)
     per_squared = math.pi * contact_modulus * contact_length**2 / (4.0 * effective_radius)
-    carried, _ = _carried(approach, crown, shape)
+    carried, _ = _carried(approach, crown, profiled)
     return CrownedLine(
         position=xp.asarray(0.5 * contact_length * place * share),
         line_load=squared * per_squared,
@@ -361,11 +351,12 @@ def compression_and_shortening(
     ----------
     Equation (B12) of :doc:`/equations`.
     """
-    load, crown, shape = _scaled(
+    load, crown, profiled = _scaled(
         normal_force, crown_curvature, contact_length, effective_radius, contact_modulus, logarithmic
     )
-    approach = _approach_of(load, crown, shape)
-    shorter = 1.0 / spread(approach, crown, shape) - 1.0
+    approach = _approach_of(load, crown, profiled)
+    shape = CrownShape(approach, crown, profiled)
+    shorter = 1.0 / shape.spread() - 1.0
     even = load * (2.0 * math.log(2.0) - 2.0 - xp.log(load))
     added = (approach - even) + 3.0 * load * shorter
     return added * contact_length**2 / (4.0 * effective_radius), shorter / contact_length
