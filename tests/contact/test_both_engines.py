@@ -30,6 +30,7 @@ from asperity.contact import (
     persson_2007,
     population,
     roller_pairs,
+    roller_profiles,
     rolling_fatigue,
     rolling_in,
     rolling_losses,
@@ -38,6 +39,7 @@ from asperity.contact import (
     stress_peaks,
     strip_theory,
     subsurface_stress,
+    tilt_stiffness,
     tilted_line,
 )
 from asperity.contact.laws.exponential import Exponential
@@ -284,7 +286,8 @@ def entry(function, *borders, own=None, **fixed):
     """A formula by its name: its numbers from the ranges, or from its own ones, and rows at its borders."""
     names = getattr(function, "takes", None)
     if names is None:
-        names = [name for name in inspect.signature(function).parameters if name not in fixed]
+        given = inspect.signature(function).parameters.items()
+        names = [name for name, one in given if name not in fixed and one.default is inspect.Parameter.empty]
     if "line" in names:
         names = [name for name in names if name != "line"] + list(CROWN)
     ranges = part(RANGES | (own or {}), names)
@@ -298,6 +301,20 @@ def arrays(function, **numbers):
     return function.__name__, Formula(lambda given: function(**given), numbers)
 
 
+def lines_with_profiles(normal_force):
+    """A circle between two logarithmic profiles, and what they add to the approach."""
+    given = {
+        "normal_force": normal_force,
+        "crown_curvature": np.array([0.2, 0.5, 1.5]),
+        "contact_length": 10e-3,
+        "effective_radius": 7e-3,
+        "contact_modulus": 113e9,
+        "logarithmic": np.array([1.0, 0.0, 1.0]),
+    }
+    line = crowned_line.crowned_line(**given)
+    return line.line_load, line.loaded_share, crowned_line.crown_compression(**given)
+
+
 def persson_decay_length(mean_pressure, contact_modulus, **waves):
     spectrum = persson_2007.WaveSpectrum(**waves)
     return persson_2007.persson_decay_length(
@@ -305,6 +322,16 @@ def persson_decay_length(mean_pressure, contact_modulus, **waves):
     )
 
 
+#: Numbers of tilted contacts.
+TILTED = {
+    "half_width": (5e-5, 3e-4),
+    "loaded_length": (5e-3, 2e-2),
+    "line_load_stiffness": (3e10, 6e10),
+    "line_load": (1e4, 3e5),
+    "peak_pressure": (3e8, 2e9),
+    "tilt": (0.0, 1e-3),
+    "freeing_tilt": (3e-4, 2e-3),
+}
 # rows at the borders of the regimes
 SINGULAR = {"fractal_dimension": 1.5}
 GROSS_SLIP = {"tangential_force": lambda row: row["friction_coefficient"] * row["normal_force"]}
@@ -445,6 +472,18 @@ FORMULAS = dict(
         *(arrays(creep_of_oiled_contacts, **oiled_numbers(oil)) for oil in ("M100",)),
         arrays(creep_of_measured_contacts, **measured_numbers()),
         arrays(tilted_line.logarithmic_drop, even_half_width=1e-4, contact_length=10e-3),
+        arrays(lines_with_profiles, normal_force=np.array([300.0, 900.0, 2000.0])),
+        entry(roller_profiles.lundberg_coefficient, own={"line_load": (1e4, 3e5)}),
+        entry(roller_profiles.iso_16281_coefficient, own={"roller_diameter": (5e-3, 0.1)}),
+        entry(roller_profiles.johns_gohar_share),
+        arrays(roller_profiles.logarithmic_profile, coefficient=6e-7, end_share=0.99),
+        entry(tilt_stiffness.line_load_stiffness, own=TILTED),
+        entry(tilt_stiffness.tilt_stiffness, own=TILTED),
+        entry(tilt_stiffness.freeing_tilt, own=TILTED),
+        entry(tilt_stiffness.pressed_end_pressure, own=TILTED),
+        arrays(
+            tilt_stiffness.tilting_moment, line_load=1e5 * (1.0 + tilted_line.PLACES), contact_length=10e-3
+        ),
         arrays(
             tilted_line.profiled_line,
             gap=3e-7 * tilted_line.PLACES + 2e-6 * tilted_line.PLACES**4,
