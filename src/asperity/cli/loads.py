@@ -24,5 +24,5 @@ def loads() -> None:
     """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
 
     And the force, or the temperature, that mounts its rings, and their stress. One column each: without torque, under
-    the working torque, and under every load [[duty]] of FILE.
+    the working torque, and under every load [[duty]] of FILE. With [tilt] also what its tilted axes do to the contacts.
     """
