@@ -4,8 +4,8 @@
 
 Prints processor time (user and system) of each command as the median of the repeats, and its ratio to the median of
 `import jax`, measured in turn with the commands. Without FILE: every joint of examples/, then planetary drives with
-skew, crowns, a housing and unlike branches. Then what the page needs: its first answer, one more, and its memory after
-answers about many structures.
+skew, crowns, a housing and unlike branches, then wear and accuracy over a turn. Then what the page needs: its first
+answer, one more, and its memory after answers about many structures.
 """
 
 from __future__ import annotations
@@ -33,6 +33,15 @@ JOINTS = (
     "heat",
 )
 COMMANDS = ("roll", "windup", "loads", "draw", "crown", "dynamics")
+#: Commands about a joint over a turn and over its years, with their examples.
+OVER_YEARS = (
+    ("wear", "wear"),
+    ("wear", "planetary"),
+    ("wear", "oil"),
+    ("accuracy", "accuracy"),
+    ("joint", "wear"),
+    ("joint", "accuracy"),
+)
 OPTIONS = {"draw": ("--out", "drawing.svg"), "crown": ("--tilt", "0.5 mrad")}
 #: Features of the planetary example → texts of the file, and what takes their places.
 FEATURES = {
@@ -91,6 +100,10 @@ def main() -> None:
             commands += [
                 (f"{command} planetary", [*program, command, str(joints[0]), *OPTIONS.get(command, ())])
                 for command in COMMANDS
+            ]
+            commands += [
+                (f"{command} {name}", [*program, command, str(EXAMPLES / f"{name}.toml")])
+                for command, name in OVER_YEARS
             ]
         alone = [sys.executable, "-c", "import jax"]
         times: dict[str, list[float]] = {label: [] for label, _ in commands}
