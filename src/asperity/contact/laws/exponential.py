@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, decay_length
+from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS, decay_length
 from asperity.contact.laws.by_decay_length import ELASTIC_ERROR, ByDecayLength, share_of
 from asperity.contact.laws.law import DecayRatios, FromMeasurement, Quantity
 
@@ -48,7 +48,10 @@ class Exponential(ByDecayLength):
     def decay_ratios(
         cls, measured: MeasuredRoughness, contacts: FeltContacts, quantity: Quantity
     ) -> DecayRatios:
-        """0.48 of the heights at every contact."""
+        """0.48 of the heights at every contact, over the factor of its lay."""
         low, high = cls.over_boundary_elements
-        ends = (low * DECAY_LENGTH_RATIO, DECAY_LENGTH_RATIO, high * DECAY_LENGTH_RATIO)
-        return DecayRatios(dict.fromkeys(contacts.felt, ends), (), {})
+        ratios = {
+            name: float(decay_length(rms_height=1.0, rolling_share=felt.rolling_share))
+            for name, felt in contacts.felt.items()
+        }
+        return DecayRatios({name: (low * each, each, high * each) for name, each in ratios.items()}, (), {})
