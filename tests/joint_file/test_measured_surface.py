@@ -184,7 +184,7 @@ def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(exampl
 
 @pytest.mark.slow
 def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
-    """K_n of 0.48 h over the 1.155 of grooves, of preloads that the surfaces do not move: h from 0.39 to 1.24 times its own ends."""
+    """K_n of 0.48 h over the 1.155 of grooves, of preloads that the surfaces do not move: at 0.39 to 1.24 times h."""
     made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
     joint = joint_from_case(made)
     result = solve_joint(joint).result
@@ -371,7 +371,7 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     assert "contact law measured: the decay length over the rms of the heights" in told
     assert "outside of what boundary elements have" not in told
     again = tomllib.loads(joint_file_text(made, {}, comment=""))
-    assert set(again["surface"]["sp"]) == {"decay_length"}
+    assert set(again["surface"]["sp"]) == {"decay_length", "rolling_share"}
 
 
 def line_stiffness(force, decay_length, joint):
@@ -474,7 +474,7 @@ def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replac
     told = " ".join(made.measured.assumed)
     assert "contact law persson_2007: the decay length by Persson's theory of the waves above" in told
     first = made.surface[joint.contact_names[0]]
-    assert set(first.stated_keys()) == {"decay_length"}
+    assert set(first.stated_keys()) == {"decay_length", "rolling_share"}
     if kind == "planetary" and not replaced:
         interval = made.measured.interval(made, joint)
         part = interval["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]["contact_law"]
