@@ -112,7 +112,8 @@ def test_least_squares_of_consistent_and_other_equations():
     exact, right = np.array([1.0, 200.0, -0.1]), RNG.normal(size=6)
     expected = np.linalg.solve(matrix.T @ matrix, matrix.T @ right)
     for number in (np.asarray, jnp.asarray):
-        np.testing.assert_allclose(least_squares(number(matrix), number(matrix @ exact)), exact, rtol=1e-12)
+        # normal equations refined once leave some (cond^2 eps)^2, and rounding of the residual times cond, 3e4 here
+        np.testing.assert_allclose(least_squares(number(matrix), number(matrix @ exact)), exact, rtol=1e-10)
         np.testing.assert_allclose(least_squares(number(matrix), number(right)), expected, rtol=1e-8)
     assert isinstance(least_squares(matrix, jnp.asarray(right)), jax.Array)
 

@@ -114,17 +114,20 @@ def solve_rows(matrix: Array, right_sides: Array) -> Array:
 
 @jax.jit
 def _inverse(matrix: Array) -> Array:
-    return _without_columns(matrix, jnp.eye(matrix.shape[0], dtype=matrix.dtype))
+    table, place = _without_columns(jnp.column_stack([matrix, jnp.eye(matrix.shape[0], dtype=matrix.dtype)]))
+    here = place == jnp.arange(place.size)[:, None]
+    return jnp.where(here[:, :, None], table[None, :, place.size :], 0.0).sum(axis=1)
 
 
 @jax.jit
 def _eliminated(matrix: Array, vector: Array) -> Array:
-    return _without_columns(matrix, vector[:, None])[:, 0]
+    table, place = _without_columns(jnp.column_stack([matrix, vector]))
+    return jnp.where(place == jnp.arange(place.size)[:, None], table[:, -1], 0.0).sum(axis=1)
 
 
-def _without_columns(matrix: Array, right_sides: Array) -> Array:
-    """Solutions of several right sides, shape (n, m), by Gauss-Jordan elimination with partial pivoting."""
-    rows, count = jnp.arange(matrix.shape[0]), matrix.shape[0]
+def _without_columns(table: Array) -> tuple[Array, Array]:
+    """A matrix with right sides behind it by Gauss-Jordan elimination with partial pivoting, and where each x is."""
+    rows = jnp.arange(table.shape[0])
 
     def without_column(k: Array, state: tuple[Array, Array]) -> tuple[Array, Array]:
         table, place = state
@@ -136,7 +139,7 @@ def _without_columns(matrix: Array, right_sides: Array) -> Array:
         table = jnp.where(here[:, None], row, table - table[:, k, None] * row)
         return table, jnp.where(here, k, place)
 
-    start = jnp.column_stack([matrix, right_sides]), jnp.full_like(rows, -1)
-    table, place = jax.lax.fori_loop(0, rows.size, without_column, start)
-    in_place = (place == rows[:, None]).astype(table.dtype)
-    return in_place @ table[:, count:]
+    eliminated: tuple[Array, Array] = jax.lax.fori_loop(
+        0, rows.size, without_column, (table, jnp.full_like(rows, -1))
+    )
+    return eliminated

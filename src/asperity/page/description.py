@@ -40,6 +40,7 @@ HEADINGS = {
     "output_bearing": "Rolling bearings of the output",
     "rolling": "Rolling",
     "wear": "Wear",
+    "tilt": "Tilted axes",
     "form": "Form errors",
     "lubrication": "Lubrication",
     "fluids": "Oils",
