@@ -423,8 +423,8 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert page.locator("#error").is_hidden()
     assert card(page) != before
     levels = page.locator("#levels").inner_text()
-    assert "exponential\nused here" in levels
-    assert "zou_2025" in levels
+    laws = page.locator('#levels [data-table="Contact laws side by side"] tbody tr').all_inner_texts()
+    assert {row.split()[0]: "used here" in row for row in laws} == {"zou_2025": False, "exponential": True}
     assert "Interval of the contact law, and of the rms of the heights" in levels
     assert "Each body as measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
     assert field(page, "surface.fractal_dimension").count() == 0

@@ -148,9 +148,9 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     page.locator("#begin-design:enabled").click()
     page.wait_for_selector(".job[data-kind=design] .job-result a", timeout=900_000)
     said = page.locator(".job[data-kind=design]").inner_text()
-    assert "✓ All limits are met" in said
-    assert "Smallest mass of the rolling parts" in said
-    assert "Warnings of this design" in said
+    assert page.locator(".job[data-kind=design] p.pass").all_inner_texts() == ["All limits are met."]
+    assert "smallest mass of the rolling parts" in said
+    assert "No warnings: all limits are met." in said
     with page.expect_download() as waiting:
         page.locator(".job[data-kind=design]").get_by_role("link", name="Save JSON").click()
     waiting.value.save_as(tmp_path / "design.json")
@@ -158,7 +158,9 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     assert document["objective"]["after"] < document["objective"]["before"]
     do(page, page.get_by_role("button", name="Put this design on the page").click)
     margins = page.locator("#margins tr", has_text="slip ratio").inner_text()
-    assert "0.85" in margins
+    (slip,) = (limit["value"] for limit in document["limits"] if limit["name"] == "slip_ratio")
+    assert 0.849 < slip <= 0.85  # the wall is rounded to few digits
+    assert format_quantity(slip, "1") in margins
 
 
 @pytest.mark.long
