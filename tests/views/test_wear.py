@@ -69,17 +69,62 @@ def test_a_cam_prints_its_stroke():
     assert "wear takes stroke instead" in " ".join(sentences(blocks))
 
 
-def test_an_end_that_is_not_known(found):
+def test_with_skew_or_oil_it_is_said_why_the_second_end_is_not_known(found):
+    """A course as tests/rolling/test_wear_course.py has it with skew: one end, and other contacts that may carry on."""
     document = wear_document(found)
     document["wear"] |= {
         "nothing_left": None,
         "computed_until": {"limit": "gross_slip", "contact": "wlo"},
         "nothing_left_hours": None,
         "nothing_left_kt_s_per_Pa": None,
+        "after_life": dict.fromkeys(("preload_N", "interference_m", "stroke_m", "depth_m")),
     }
-    shown = figures(list(wear(document)))["nothing left"]
-    assert (shown.shown, shown.unit, shown.si) == ("–", "", None)
-    assert shown.detail.startswith("not known: with skew or oil")
+    blocks = list(wear(document))
+    shown = figures(blocks)
+    left = shown["nothing left"]
+    assert (left.shown, left.unit, left.si) == ("–", "", None)
+    assert left.detail == "not known: with skew or oil nothing is computed beyond the first slide"
+    assert shown["preload"].detail == "after 2000 h; not computed as far"
+    assert tables(blocks)["How long the joint carries its load"].rows[1][1] == left.detail
+    assert (
+        "With skew or oil a contact that slides bears something else than its friction, so that nothing is computed "
+        "beyond the first slide; other contacts may still carry the load."
+    ) in " ".join(sentences(blocks))
+
+
+def test_a_joint_that_does_not_carry_on_does_not_reach_a_longer_life(blocks):
+    long = list(wear(wear_document(check_wear(COEFFICIENT, 1e5 * 3600.0))))
+    assert figures(long)["preload"].detail == "after 100000 h; the joint does not reach it"
+    assert "skew or oil" not in " ".join(sentences(long) + sentences(blocks))
+
+
+def test_a_crown_that_is_worn_flat_ends_the_computation(found):
+    document = wear_document(found)
+    document["wear"] |= {
+        "first_slide": None,
+        "nothing_left": None,
+        "computed_until": {"limit": "flat", "contact": "wlo"},
+        "after_life": dict.fromkeys(("preload_N", "interference_m", "stroke_m", "depth_m")),
+    }
+    for end in ("first_slide", "nothing_left"):
+        document["wear"] |= {f"{end}_hours": None, f"{end}_kt_s_per_Pa": None}
+    shown = figures(list(wear(document)))
+    for name in ("first contact slides", "nothing left"):
+        assert shown[name].detail == "not computed beyond: the crown of wlo is worn flat"
+    assert shown["preload"].detail == "after 2000 h; not computed as far"
+
+
+def test_a_joint_that_ends_before_a_contact_slides_says_by_what(found):
+    document = wear_document(found)
+    document["wear"] |= {
+        "first_slide": None,
+        "first_slide_hours": None,
+        "first_slide_kt_s_per_Pa": None,
+        "nothing_left": {"limit": "lift_off", "contact": "wlo", "load": 1, "interference_m": 1e-6},
+    }
+    shown = figures(list(wear(document)))
+    assert shown["first contact slides"].detail == "none before wlo lifts off"
+    assert shown["nothing left"].detail == "wlo lifts off"
 
 
 def test_what_is_left_out_is_said(found):

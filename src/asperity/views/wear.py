@@ -62,19 +62,27 @@ def _figures(found: Document) -> Iterator[Figure]:
         shown = number_in(after["stroke_m"], "um")
         yield Figure("stroke", shown, "µm", f"that the cam or the force follows {at}", after["stroke_m"])
     preload = after["preload_N"]
-    beyond = "" if preload is not None else "; the joint does not reach it"
+    lost = "the joint does not reach it" if found["computed_until"] is None else "not computed as far"
+    beyond = "" if preload is not None else f"; {lost}"
     yield Figure("preload", number(preload), "N", f"{at}{beyond}", preload)
 
 
 def _what(found: Document, key: str) -> str:
     """What happens at an end of wear, or why it is not known."""
     end, until = found[key], found["computed_until"]
-    if end is None and until is not None and until["limit"] in ("flat", "loose"):
-        return f"not computed beyond: {_WHAT[until['limit']].format(contact=words(until['contact'] or ''))}"
-    if end is None:
-        return "not known: with skew or oil the joint in which one contact slides is not computed"
+    if end is not None:
+        return _end(end)
+    if until is None:  # another end comes first
+        return f"none before {_end(found['nothing_left'])}"
+    if until["limit"] == "gross_slip":
+        return "not known: with skew or oil nothing is computed beyond the first slide"
+    return f"not computed beyond: {_end(until)}"
+
+
+def _end(end: Document) -> str:
+    """What happens at an end, and under which load of a duty where it is not the first."""
     said = _WHAT[end["limit"]].format(contact=words(end["contact"] or ""))
-    return said if end["load"] in (None, 1) else f"{said} under load {end['load']}"
+    return said if end.get("load") in (None, 1) else f"{said} under load {end['load']}"
 
 
 def _rates(found: Document) -> Table:
@@ -153,6 +161,11 @@ def _notes(found: Document) -> Iterator[str]:
         )
     if found["keeps_force"]:
         yield "A cam or a constant force follows the wear: the preload stays, and wear takes stroke instead."
+    if (found["computed_until"] or {}).get("limit") == "gross_slip":
+        yield (
+            "With skew or oil a contact that slides bears something else than its friction, so that nothing is "
+            "computed beyond the first slide; other contacts may still carry the load."
+        )
     if found["unlike_lengths"]:
         tracks = ", ".join(map(words, found["unlike_lengths"]))
         yield (
