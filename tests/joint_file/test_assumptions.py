@@ -213,3 +213,24 @@ def test_form_errors_are_of_first_order_and_have_phases_or_not(joint_text):
         told = " ".join(assumptions(case))
         assert "form errors: to first order" in told
         assert ("no form.phase" in told) is unknown
+
+
+def test_form_errors_are_quasi_static_as_far_as_a_third_of_the_first_frequency(joint_text):
+    form = '\n[[form]]\npart = "ring"\nharmonics = { 3 = "1 um" }\n'
+    said = [each for each in assumptions(parse_case(joint_text + form, source="a")) if "quasi-static" in each]
+    assert said == [
+        "form errors: to first order; quasi-static, so that the shortest wave must come below a third of the first "
+        "natural frequency (asperity dynamics); in the plane: no tilt and no axial runout; of the drive's own parts "
+        "alone"
+    ]
+    assert not any("quasi-static" in each for each in assumptions(parse_case(joint_text, source="a")))
+
+
+def test_wear_has_one_coefficient_and_is_even_but_for_crowns(joint_text):
+    wear = '\n[wear]\ncoefficient = "1e-17 1/Pa"\n'
+    said = [each for each in assumptions(parse_case(joint_text + wear, source="a")) if "Archard" in each]
+    assert said == [
+        "wear: Archard's law with a constant coefficient, without running-in; tracks wear alike all round, whatever "
+        "their runout, and evenly along the axis, but for crowns, which become flatter"
+    ]
+    assert not any("Archard" in each for each in assumptions(parse_case(joint_text, source="a")))

@@ -36,6 +36,7 @@ _PARTS: tuple[Callable[[Described], Iterator[str]], ...] = (
     rolling.rolling,
     rolling.oil,
     rolling.heat,
+    rolling.wear,
     bodies.fatigue,
     surfaces.measured,
 )

@@ -109,8 +109,9 @@ def form_errors(file: Described) -> Iterator[str]:
     if file.case.form is None:
         return
     yield (
-        "form errors: to first order, quasi-static, and in the plane: no tilt and no axial runout; of the "
-        "drive's own parts alone"
+        "form errors: to first order; quasi-static, so that the shortest wave must come below a third of the first "
+        "natural frequency (asperity dynamics); in the plane: no tilt and no axial runout; of the drive's own parts "
+        "alone"
     )
     if any(entry.phase is None for entry in file.case.form):
         yield "no form.phase: the worst and the mean of all phases count"

@@ -1,4 +1,4 @@
-"""What is taken of the joint that turns: its rolling, its oil and its heat."""
+"""What is taken of the joint that turns: its rolling, its oil, its heat and its wear."""
 
 from __future__ import annotations
 
@@ -134,3 +134,12 @@ def heat(file: Described) -> Iterator[str]:
         ]
         if absent:
             yield f"no {' and '.join(absent)} of material {name}: no flash temperature of its contacts{cooler}"
+
+
+def wear(file: Described) -> Iterator[str]:
+    """What is taken of the wear of the tracks."""
+    if file.case.wear is not None:
+        yield (
+            "wear: Archard's law with a constant coefficient, without running-in; tracks wear alike all round, "
+            "whatever their runout, and evenly along the axis, but for crowns, which become flatter"
+        )
