@@ -95,7 +95,7 @@ def test_the_form_of_another_drive_has_its_own_keys(zou_file):
     assert names == [
         "drive", "branch", "load", "temperature", "heat", "surface", "materials", "roller", "contact", "compliance",
         "housing", "play", "bearings", "pin_bearing", "input_bearing", "output_bearing", "rolling", "wear",
-        "form", "lubrication", "fluids", "life", "duty", "dynamics",
+        "tilt", "form", "lubrication", "fluids", "life", "duty", "dynamics",
     ]  # fmt: skip
     keys = {each["key"]: each for group in form["groups"] for each in group["parameters"]}
     assert keys["contact.*.first_radius"]["meaning"].startswith("Radius of the track of the first roller")
