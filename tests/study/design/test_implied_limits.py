@@ -6,8 +6,10 @@ import tomllib
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from tests.support.worn import EXAMPLES, changed
 
 from asperity.cli.commands import asperity
+from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.solved_document import solve_case
@@ -16,6 +18,7 @@ from asperity.study.design.design import design
 from asperity.study.design.design_file import design_from_tables
 from asperity.study.design.implied_limits import LEAST_CLEARANCE
 
+ARCSECOND = np.pi / 648000.0
 LIFE = '# required_life = "20000 h"'
 RATED = '[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n[lubrication]'
 DUTY = '[[duty]]\noutput_torque = "8 N*m"\nsun_speed = "1500 rpm"\nshare = 1.0\n\n[lubrication]'
@@ -151,3 +154,50 @@ def test_lives_have_the_unit_of_their_results(problem):
     assert values["rolling"]["required_life"] == pytest.approx(7.2e7)
     assert made.table["drive_life"].si_unit == "s"
     assert np.isfinite(implied(made)["drive_life", False][0])
+
+
+def joint_problem(example, replaced, variables, tmp_path):
+    """A design of one variable of an example, with replaced pieces of its text."""
+    text = changed((EXAMPLES / example).read_text(), replaced)
+    tables = tomllib.loads(f'joint = "{example}"\n{variables}\n[search]\nstarts = 1')
+    return design_from_tables(tables, folder=tmp_path, case=parse_case(text, source=example))
+
+
+INTERFERENCE = (
+    '[variables]\nload.interference = {{ lower = "{}", upper = "{}" }}\n[objective]\nminimise = "preload"'
+)
+REQUIRED = 'required_life = "10000 h"'
+
+
+def test_grip_under_wear_and_an_even_turn_are_implied(tmp_path):
+    found = implied(joint_problem("wear.toml", {}, INTERFERENCE.format("24 um", "40 um"), tmp_path))
+    assert found["life_wear", False] == (pytest.approx(10000.0 * 3600.0, rel=2e-6), (0,))
+    assert found["life_wear", False][0] > 10000.0 * 3600.0  # inside
+    without = {f"[rolling]\n{REQUIRED}": ""}
+    assert ("life_wear", False) not in implied(
+        joint_problem("wear.toml", without, INTERFERENCE.format("24 um", "40 um"), tmp_path)
+    )
+    allowed = {"[model]": '[rolling]\nallowed_transmission_error = "48 arcsec"\n\n[model]'}
+    found = implied(joint_problem("accuracy.toml", allowed, INTERFERENCE.format("12 um", "24 um"), tmp_path))
+    limit, rows = found["transmission_error", True]
+    assert (limit, rows) == (pytest.approx(48.0 * ARCSECOND, rel=2e-6), (0,))
+    assert limit < 48.0 * ARCSECOND
+    assert found["turn_slip_ratio", True][0] == pytest.approx(1.0, rel=2e-6)
+    found = implied(joint_problem("accuracy.toml", {}, INTERFERENCE.format("12 um", "24 um"), tmp_path))
+    assert ("transmission_error", True) not in found
+    assert ("turn_slip_ratio", True) in found
+
+
+def test_a_force_under_wear_cannot_keep_a_required_life(tmp_path):
+    force = {'interference = "25 um"': 'preload = "1000 N"'}
+    length = '[variables]\n"drive.contact_length" = { lower = "4 mm", upper = "9 mm" }\n[objective]\nminimise = "mass"'
+    with pytest.raises(InputError) as refused:
+        joint_problem("wear.toml", force, length, tmp_path)
+    assert str(refused.value).startswith("load.preload: a force does not say what wear takes from it")
+    assert "state load.interference, or leave [wear] out of the joint file" in str(refused.value)
+    # a cam follows, and without a required life nothing is asked of it
+    for other in (
+        force | {'preload = "1000 N"': 'preload = "200 N"\ncam_force_per_torque = "160 N/Nm"'},
+        force | {f"[rolling]\n{REQUIRED}": ""},
+    ):
+        assert ("life_wear", False) not in implied(joint_problem("wear.toml", other, length, tmp_path))
