@@ -14,7 +14,7 @@ from numpy.polynomial import legendre
 from asperity.drive.layout.drive import incidence
 from asperity.drive.state.first_limit import first_limit
 from asperity.engine.arrays import xp
-from asperity.engine.control import fori_loop, scan, vectorised
+from asperity.engine.control import fori_loop, scan, traced_once, vectorised
 from asperity.engine.derivatives import without_slopes
 from asperity.joint.description import Joint, without_duty
 from asperity.joint.machine import JointMachine, joint_machine
@@ -185,6 +185,7 @@ def _unworn(machine: JointMachine) -> Array:
     return xp.zeros(contacts if machine.contacts.crown_curvature is None else 2 * contacts)
 
 
+@traced_once  # the whole chain, once for all states of wear
 def _at(wearing: Wearing, loads: _Loads, worn: Array) -> _Means:
     """A state of wear under all loads; one that stands takes its share of the time, and nothing wears."""
     contacts = len(wearing.machine.drive.contacts)

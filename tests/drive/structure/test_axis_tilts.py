@@ -118,6 +118,19 @@ def test_a_floating_body_on_one_line_has_a_slope_and_no_known_skew():
     found = contact_angles_of_tilts(drive=drive, stiffness=np.array([300.0, 100.0]), tilts=tilted(out=1e-3))
     assert np.abs(found.slope) == pytest.approx([0.25e-3, 0.75e-3], rel=1e-9)
     assert np.all(np.isnan([found.skew, found.largest_skew]))
+    beside = dataclasses.replace(
+        drive,
+        bodies=(*drive.bodies, Body("roller", "pin")),
+        contacts=(*drive.contacts, Contact("sr", "sun", "roller")),
+        centres=np.array([*drive.centres, [25e-3, 0.0]]),
+        first_radius=np.array([10e-3, 20e-3, 10e-3]),
+        second_radius=np.array([20e-3, 50e-3, 15e-3]),
+        push_angles=np.zeros(1),
+    )
+    springs = np.array([300.0, 100.0, 200.0])
+    found = contact_angles_of_tilts(drive=beside, stiffness=springs, tilts=tilted(out=1e-3))
+    assert np.isnan(found.skew).tolist() == [True, True, False]
+    assert abs(found.skew[2]) == pytest.approx(1e-3)  # the roller stands a right angle from the planet
     pinned = dataclasses.replace(
         drive,
         bodies=(Body("sun", "axis"), Body("planet", "pin"), Body("ring", "axis")),
