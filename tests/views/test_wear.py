@@ -1,5 +1,7 @@
 """Wear as it is shown: first figures, rates with or without hours, ends, the course, and what holds."""
 
+import copy
+
 import pytest
 from shown_blocks import sentences, tables
 from tests.support.worn import COEFFICIENT, check_case, check_wear
@@ -133,3 +135,17 @@ def test_what_is_left_out_is_said(found):
     said = " ".join(sentences(list(wear(document))))
     assert "Contacts of unlike lengths roll on one track (planet)" in said
     assert "Crowns wear flatter" in said
+
+
+def test_years_beyond_all_meaning_are_bounded():
+    """A full film leaves the asperities next to nothing: 7e89 h would be no answer."""
+    document = copy.deepcopy(wear_document(check_wear(COEFFICIENT, 2000.0 * 3600.0)))
+    document["wear"] |= {"first_slide_hours": 7e89, "allowed_coefficient_per_Pa": 3e60}
+    blocks = list(wear(document))
+    shown = figures(blocks)
+    assert shown["first contact slides"].shown == "> 1e9"
+    assert shown["largest wear coefficient"].shown == "> 1e-11"
+    assert (
+        next(block for block in wear(document) if "How long" in getattr(block, "title", "")).rows[0][-1]
+        == "> 1e9"
+    )

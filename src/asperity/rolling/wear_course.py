@@ -188,8 +188,8 @@ def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> _Stage:
         if found is not None:
             return found
     raise NoSolutionError(
-        "the interferences of the contacts do not settle over their wear; state smaller deviations, larger crown "
-        "radii, or a smaller torque"
+        "the interferences of the contacts do not settle over their wear; state smaller deviations, other crown "
+        "radii (none, where they are nearly flat), or a smaller torque"
     )
 
 

@@ -15,6 +15,8 @@ _HOUR = 3600.0
 _SHOWN_TIME = 3.6e-11
 #: About so many points of the course in a table; documents have all of them.
 _MOST_ROWS = 12
+#: Hours and wear coefficients [1/Pa] above which only that is said: 100,000 years, and what a file may state.
+_MOST_HOURS, _MOST_COEFFICIENT = 1e9, 1e-11
 _WHAT = {
     "gross_slip": "{contact} slides",
     "lift_off": "{contact} lifts off",
@@ -47,13 +49,15 @@ def _figures(found: Document) -> Iterator[Figure]:
         if time is None:
             yield Figure(name, NONE, "", what, None)
         elif hours is not None:
-            yield Figure(name, number(hours), "h", what, hours * _HOUR)
+            yield Figure(name, _bounded(hours, _MOST_HOURS), "h", what, hours * _HOUR)
         else:
             yield Figure(name, number(time), "s/Pa", f"wear coefficient times time; {what}", time)
     life, allowed = found["life_hours"], found["allowed_coefficient_per_Pa"]
     if life is not None and allowed is not None:
         detail = f"for {quantity(life * _HOUR, 'h')} to the first slide"
-        yield Figure("largest wear coefficient", number(allowed), "1/Pa", detail, allowed)
+        yield Figure(
+            "largest wear coefficient", _bounded(allowed, _MOST_COEFFICIENT), "1/Pa", detail, allowed
+        )
     after = found["after_life"]
     if after is None:
         return
@@ -65,6 +69,11 @@ def _figures(found: Document) -> Iterator[Figure]:
     lost = "the joint does not reach it" if found["computed_until"] is None else "not computed as far"
     beyond = "" if preload is not None else f"; {lost}"
     yield Figure("preload", number(preload), "N", f"{at}{beyond}", preload)
+
+
+def _bounded(value: float | None, most: float) -> str:
+    """A number, or that it is above what means anything: a film leaves the asperities as good as nothing."""
+    return number(value) if value is None or value <= most else f"> {number(most)}"
 
 
 def _what(found: Document, key: str) -> str:
@@ -113,7 +122,7 @@ def _ends(found: Document) -> Table:
                 _what(found, key),
                 NONE if end is None else number_in(end["interference_m"], "um"),
                 number(found[f"{key}_kt_s_per_Pa"]),
-                number(found[f"{key}_hours"]),
+                _bounded(found[f"{key}_hours"], _MOST_HOURS),
             )
         )
     head = ("end", "what happens", "interference\nµm", "k t\ns/Pa", "time\nh")
