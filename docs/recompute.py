@@ -3,7 +3,8 @@
 With `--check` nothing is written: what differs is printed, and the exit code is 1. Comments on the pages say what runs:
 
     <!-- output: asperity roll joint.toml | from "Rating life" until "No warnings" -->
-    a text block follows, which becomes what the command prints, or the lines from one to before another
+    a text block follows, which becomes what the command prints, or the lines from one to before another, by their
+    beginnings, in which * stands for anything
 
     <!-- numbers: asperity joint joint.toml --json
     33 431 N·m/rad = torsional_stiffness/assembly/output_Nm_per_rad
@@ -107,7 +108,8 @@ def _with_output(text: str, mark: re.Match[str], run: Callable[[str], str], diff
     command, _, excerpt = mark[2].strip().partition(" | ")
     shown = run(command).splitlines(keepends=True)
     for word, beginning in re.findall(r'(from|until) "(.*?)"', excerpt):
-        found = [place for place, line in enumerate(shown) if line.startswith(beginning)]
+        begins = re.compile(re.escape(beginning).replace(r"\*", ".*"))
+        found = [place for place, line in enumerate(shown) if begins.match(line)]
         if not found:
             raise ValueError(f"{command}: no line begins with {beginning!r}")
         shown = shown[found[0] :] if word == "from" else shown[: found[0]]
