@@ -77,6 +77,20 @@ def solve_in_turn(matrix: Array, right_side: Array) -> Array:
     return found
 
 
+def solve_rows(matrix: Array, right_sides: Array) -> Array:
+    """The x of :math:`A x = b` for several b, real or complex, shape (m, n); not finite where A is singular.
+
+    For a matrix that follows from a state, behind the last step of a :func:`solve_in_turn`; within programs with
+    derivatives.
+    """
+    if uses_jax(matrix, right_sides):
+        from asperity.engine import elimination
+
+        return elimination.solve_rows(matrix, right_sides)
+    found: Array = any_xp.swapaxes(_by_lapack(matrix, any_xp.swapaxes(right_sides, 0, 1)), 0, 1)
+    return found
+
+
 def least_squares(matrix: Array, right_side: Array) -> Array:
     """The x, shape (n,), that makes :math:`|A x - b|` smallest.
 

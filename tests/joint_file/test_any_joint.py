@@ -10,7 +10,7 @@ from asperity.joint.solve import solve_joint
 from asperity.joint.status import NO_ROOM, SLIPS
 from asperity.joint_file.any_joint import evaluated_points, results_of
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.part_names import with_structure
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.results import GROUPS, RESULTS, chosen_results, known_result
 from asperity.results.document import joint_document
@@ -178,7 +178,7 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
     ],
 )
 def test_every_type_can_be_evaluated_at_points(planar_case, name, path):
-    values = with_tracks(si_values(planar_case(name)))
+    values = with_structure(si_values(planar_case(name)))
     names = tuple(results_of(values))
 
     def at(column):

@@ -2,13 +2,15 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.form_parts import form_errors, form_parts
+from asperity.joint_file.form_parts import form_errors, form_parts, refuse_floating_runout
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
+from asperity.study.batch import evaluate_points
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -22,6 +24,7 @@ def case_with(example, *sections):
 def errors_of(example, *sections):
     case = case_with(example, *sections)
     drive = joint_from_case(case).drive
+    refuse_floating_runout(si_values(case), drive)
     return form_errors(
         si_values(case), form_parts(si_values(case), drive), drive, round(float(drive.sectors))
     )
@@ -152,6 +155,11 @@ def test_a_floating_sun_has_no_axis():
         drive = joint_from_case(case).drive
         if refused:
             with pytest.raises(InputError, match="the sun floats, no axis: leave it out"):
-                form_errors(si_values(case), form_parts(si_values(case), drive), drive, 3)
+                refuse_floating_runout(si_values(case), drive)
+            # and the same of a study
+            values = si_values(case)
+            with pytest.raises(InputError, match="the sun floats"):
+                evaluate_points(values, {"load.output_torque": np.array([5.0])}, ("transmission_error",))
         else:
+            refuse_floating_runout(si_values(case), drive)
             assert len(form_errors(si_values(case), form_parts(si_values(case), drive), drive, 3)) == 1

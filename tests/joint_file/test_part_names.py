@@ -9,7 +9,7 @@ from asperity.joint_file.part_names import (
     contacts_of,
     paths_of_track,
     type_of,
-    with_tracks,
+    with_structure,
 )
 from asperity.joint_file.si_tables import replace_values, si_values
 
@@ -31,7 +31,7 @@ def test_one_track_is_one_number(planar_case):
     assert paths_of_track(values, "load.preload") == ["load.preload"]
     crowns = [path.replace("_radius", "_crown_radius") for path in expected]
     assert paths_of_track(values, "contact.1.second_crown_radius") == crowns
-    named = with_tracks(values)
+    named = with_structure(values)
     changed = replace_values(named, {"contact.2.first_radius": 0.014})
     for index, side in (("1", "second"), ("2", "first"), ("3", "first")):
         assert changed["contact"][index][f"{side}_radius"] == 0.014
@@ -39,7 +39,7 @@ def test_one_track_is_one_number(planar_case):
         assert track_of(changed["contact"].values(), changed["contact"][index], side) == "0"
     assert changed["contact"]["1"]["first_radius"] == 0.004
     assert values["contact"]["1"]["second_radius"] == 0.0135
-    assert with_tracks({"drive": {}}) == {"drive": {}}
+    assert with_structure({"drive": {}}) == {"drive": {}}
 
 
 @pytest.mark.parametrize(

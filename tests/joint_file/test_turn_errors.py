@@ -5,7 +5,7 @@ import pytest
 from form_errors import ARCSECONDS, EXAMPLES, SET, check_joint
 
 from asperity.joint_file.accuracy import joint_accuracy, turn_errors_of
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.part_names import with_structure
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 
@@ -22,7 +22,8 @@ FLOATING = ("[model]", '[compliance]\nsun_support_stiffness = "0 N/mm"\n\n[model
 def sums(text):
     with np.errstate(all="ignore"):
         return [
-            float(each) for each in turn_errors_of(with_tracks(si_values(parse_case(text, source="joint"))))
+            float(each)
+            for each in turn_errors_of(with_structure(si_values(parse_case(text, source="joint"))))
         ]
 
 

@@ -11,7 +11,7 @@ from asperity.engine.control import at_once
 from asperity.errors import InputError
 from asperity.joint_file.accuracy import joint_accuracy, turn_errors_of
 from asperity.joint_file.own_branches import joint_with_branches
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.part_names import with_structure
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
 from asperity.joint_file.solved_document import solved_case
@@ -35,7 +35,7 @@ LIVES = ("life_wear", "preload_after_life")
 
 def of_turn(values):
     with np.errstate(all="ignore"):
-        return np.array([float(each) for each in turn_errors_of(with_tracks(values))])
+        return np.array([float(each) for each in turn_errors_of(with_structure(values))])
 
 
 def of_wear(values):

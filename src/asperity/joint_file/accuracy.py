@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from asperity.joint.machine import joint_machine
 from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
 from asperity.joint_file.build import deviations_of, joint_from_values
-from asperity.joint_file.form_parts import form_errors, form_parts
+from asperity.joint_file.form_parts import form_errors, form_parts, refuse_floating_runout
 from asperity.joint_file.own_branches import floating_of, joint_with_branches
 from asperity.joint_file.part_names import SECTORS
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
@@ -88,10 +89,11 @@ def _lost_motion(joint: Joint) -> float | None:
 
 
 def turn_errors_of(values: Values) -> TurnErrors:
-    """What the form errors of a file do over a turn, of tables of :func:`with_sectors`, whose numbers may be traced.
+    """What the form errors of a file do over a turn, of tables whose numbers may be traced; pure.
 
-    Pure; nan where the joint does not roll, where waves are shorter than :data:`SHORTEST_WAVE` half-widths of their
-    contacts, and where the amplitudes of a part exceed the interference of the drive.
+    Tables of :func:`asperity.joint_file.part_names.with_structure`; nan where the joint does not roll, where waves are
+    shorter than :data:`SHORTEST_WAVE` half-widths of their contacts, and where the amplitudes of a part exceed the
+    interference of the drive.
     """
     equal = without_duty(under_interference(joint_from_values(values)))
     sectors = int(values[SECTORS])
@@ -118,23 +120,41 @@ def _unfolded(equal: Joint, values: Values, sectors: int) -> Joint:
 
 
 def _form_holds(joint: Joint, rolling: RollingBalance, errors: list[FormError]) -> Array:
-    """Whether all form errors are those of :func:`refuse_form` that are not refused; pure."""
-    drive, state = rolling.machine.drive, rolling.state
-    width = xp.asarray(joint_machine(joint).contacts.pairs.half_width(state.normal))
-    names = [contact.name for contact in drive.contacts]
+    """Whether no form error is one that :func:`refuse_form` refuses; pure."""
+    long = [wave.length >= SHORTEST_WAVE * wave.half_width for wave in _waves(joint, rolling, errors)]
+    interference = xp.max(xp.asarray(rolling.state.interference))
+    small = [total <= interference for total in _totals(errors).values()]
+    return xp.all(xp.stack([xp.asarray(each) for each in (*long, *small)]))
+
+
+class _Wave(NamedTuple):
+    """A form error at a contact, by its name: length of its waves, and half-width of the contact [m]."""
+
+    error: FormError
+    contact: str
+    length: Real
+    half_width: Real
+
+
+def _waves(joint: Joint, rolling: RollingBalance, errors: list[FormError]) -> list[_Wave]:
+    """All form errors at all contacts on their tracks; pure."""
+    drive = rolling.machine.drive
+    width = xp.asarray(joint_machine(joint).contacts.pairs.half_width(rolling.state.normal))
     radii = {"first": xp.asarray(drive.first_radius), "second": xp.asarray(drive.second_radius)}
-    long = [
-        2.0 * xp.pi * radii[side][names.index(name)]
-        >= SHORTEST_WAVE * error.harmonic * width[names.index(name)]
+    number = {contact.name: k for k, contact in enumerate(drive.contacts)}
+    return [
+        _Wave(error, name, 2.0 * xp.pi * radii[side][number[name]] / error.harmonic, width[number[name]])
         for error in errors
         for name, side in error.sides
     ]
-    totals: dict[tuple[str, int], list[Real]] = defaultdict(list)
+
+
+def _totals(errors: list[FormError]) -> dict[tuple[str, int], Real]:
+    """Part and sector → sum of the amplitudes [m]."""
+    totals: dict[tuple[str, int], Real] = defaultdict(float)
     for error in errors:
-        totals[error.part, error.sector].append(error.amplitude)
-    interference = xp.max(xp.asarray(state.interference))
-    small = [sum(sizes) <= interference for sizes in totals.values()]
-    return xp.all(xp.stack([xp.asarray(each) for each in (*long, *small)]))
+        totals[error.part, error.sector] += error.amplitude
+    return totals
 
 
 def accuracy_of_case(case: AnyCase) -> Accuracy:
@@ -158,6 +178,7 @@ def _whole(case: AnyCase) -> tuple[Joint, list[FormError], int]:
     drive: Drive = as_numbers(joint.drive)
     sectors = round(float(joint.drive.sectors))
     errors = form_errors(values, form_parts(values, drive), drive, sectors)
+    refuse_floating_runout(values, drive)
     return whole_joint(joint, values), errors, sectors
 
 
@@ -172,30 +193,23 @@ def whole_joint(joint: Joint, values: dict[str, object]) -> Joint:
 
 def refuse_form(joint: Joint, rolling: RollingBalance, errors: list[FormError]) -> None:
     """Refuse waves that are short against their contacts, and parts whose waves take the whole interference."""
-    drive = rolling.machine.drive
     with np.errstate(all="ignore"):
-        width = np.asarray(joint_machine(joint).contacts.pairs.half_width(rolling.state.normal))
-    names = [contact.name for contact in drive.contacts]
-    radii = {"first": np.asarray(drive.first_radius), "second": np.asarray(drive.second_radius)}
-    for error in errors:
-        part = error.part.replace("_", " ")
-        for name, side in error.sides:
-            contact = names.index(name)
-            wave, half = 2.0 * np.pi * radii[side][contact] / error.harmonic, float(width[contact])
-            if wave < SHORTEST_WAVE * half:
-                most = int(2.0 * np.pi * radii[side][contact] / (SHORTEST_WAVE * half))
-                raise InputError(
-                    f"harmonic {error.harmonic} of the {part}: its waves of {format_quantity(wave, 'mm', 3)} are "
-                    f"shorter than {SHORTEST_WAVE:g} half-widths of the contact {name}, "
-                    f"{format_quantity(half, 'um', 3)}, over which it rolls as on a round track; state harmonics up "
-                    f"to {most}: those above belong to the roughness"
-                )
-    interference = float(np.max(np.asarray(rolling.state.interference)))
-    for key in dict.fromkeys((error.part, error.sector) for error in errors):
-        total = sum(float(error.amplitude) for error in errors if (error.part, error.sector) == key)
-        if total > interference:
+        waves = _waves(joint, rolling, errors)
+    for error, contact, length, half_width in waves:
+        wave, half = float(length), float(half_width)
+        if wave < SHORTEST_WAVE * half:
+            most = int(error.harmonic * wave / (SHORTEST_WAVE * half))
             raise InputError(
-                f"the amplitudes of the {key[0].replace('_', ' ')} add up to {format_quantity(total, 'um', 4)}, more "
-                f"than the interference of the drive, {format_quantity(interference, 'um', 4)}: its contacts part; "
-                "state smaller form errors, or a larger preload"
+                f"harmonic {error.harmonic} of the {error.part.replace('_', ' ')}: its waves of "
+                f"{format_quantity(wave, 'mm', 3)} are shorter than {SHORTEST_WAVE:g} half-widths of the contact "
+                f"{contact}, {format_quantity(half, 'um', 3)}, over which it rolls as on a round track; state "
+                f"harmonics up to {most}: those above belong to the roughness"
+            )
+    interference = float(np.max(np.asarray(rolling.state.interference)))
+    for (part, _), total in _totals(errors).items():
+        if float(total) > interference:
+            raise InputError(
+                f"the amplitudes of the {part.replace('_', ' ')} add up to {format_quantity(float(total), 'um', 4)}, "
+                f"more than the interference of the drive, {format_quantity(interference, 'um', 4)}: its contacts "
+                "part; state smaller form errors, or a larger preload"
             )

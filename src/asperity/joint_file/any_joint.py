@@ -19,7 +19,7 @@ from asperity.joint.status import joint_status
 from asperity.joint_file import build
 from asperity.joint_file.accuracy import turn_errors_of
 from asperity.joint_file.own_branches import joint_with_branches, parts_with_branches
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.part_names import with_structure
 from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
 from asperity.results.solved import SolvedJoint
@@ -29,7 +29,7 @@ from asperity.types import Array
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     """Name → row of all results that the drive of a file has, with the names of its parts, whatever its numbers."""
-    return _results_of_structure(table_structure(with_tracks(dict(tables))))
+    return _results_of_structure(table_structure(with_structure(dict(tables))))
 
 
 @functools.lru_cache(maxsize=32)
@@ -63,7 +63,7 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     present = result.present
     if present is None or not result.row_shape:
         return tuple(range(len(result.row_names)))
-    values = with_tracks(dict(tables))
+    values = with_structure(dict(tables))
     presence: list[bool] = []
     no_result: Any = None
 

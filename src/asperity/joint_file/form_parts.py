@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from asperity.drive.layout.drive import Drive
-from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
 from asperity.joint_file.part_names import drive_type_of
 from asperity.joint_file.si_tables import Values
@@ -19,42 +18,32 @@ from asperity.units import format_quantity
 class FormPart(NamedTuple):
     """A track of a drive of equal sectors.
 
-    ``name`` in documents; ``body`` that it is on; ``sides``, its contacts, (number, "first" or "second"); ``radius``
-    [m]; ``on_axis``, whether all sectors share it; ``has_axis``, whether an axis of its own or another track tells
-    where its centre is.
+    ``name`` in documents; ``body`` that it is on; ``sides``, its contacts, (number, "first" or "second"); ``on_axis``,
+    whether all sectors share it; ``alone``, whether its body has no other track.
     """
 
     name: str
     body: str
     sides: tuple[tuple[int, str], ...]
-    radius: Real
     on_axis: bool
-    has_axis: bool
+    alone: bool
 
 
 def form_parts(values: Values, drive: Drive) -> dict[str, tuple[FormPart, ...]]:
     """Names that sections [[form]] may use → the tracks that they mean; of tables in SI units and their drive."""
     named: dict[str, list[FormPart]] = defaultdict(list)
-    springs = values.get("compliance", {})
-    supported = "planet_support_stiffness" in springs
-    support = springs.get("sun_support_stiffness")
-    input_floats = support is not None and not is_of_jax(support) and support == 0.0
     kind = drive_type_of(values)
     for number, body in enumerate(drive.bodies):
         tracks = _tracks(drive, body.name)
         for place, (track, sides) in enumerate(tracks.items(), start=1):
             alone = len(tracks) == 1
             own = f"{body.name}_track_{place}" if kind.is_listed else track
-            side = sides[0]
-            radius = drive.first_radius if side[1] == "first" else drive.second_radius
             part = FormPart(
                 name=body.name if alone else own,
                 body=body.name,
                 sides=sides,
-                radius=radius[side[0]],
                 on_axis=body.on_axis,
-                has_axis=not alone
-                or (supported if body.place == "free" else not (input_floats and body.name == drive.input)),
+                alone=alone,
             )
             names = [part.name]
             if alone and not kind.is_listed:
@@ -120,13 +109,6 @@ def _of_entry(
     for part in parts[entry["part"]]:
         _refuse_sector(sector, where, part, sectors)
         for harmonic, amplitude in _amplitudes(entry).items():
-            if harmonic == 1 and not part.has_axis:
-                key = "runout" if "runout" in entry else "harmonics.1"
-                raise InputError(
-                    f"{where}.{key}{_stated(amplitude * (2 if key == 'runout' else 1))}: the "
-                    f"{part.name.replace('_', ' ')} floats, no axis: leave it out; its centre goes where its contacts "
-                    "put it"
-                )
             numbers = (0,) if part.on_axis else range(1, sectors + 1) if sector is None else (sector,)
             for of in numbers:
                 yield FormError(
@@ -139,9 +121,28 @@ def _of_entry(
                 )
 
 
-def _stated(size: Real) -> str:
-    """A length as it is stated; nothing of one that varies."""
-    return "" if is_of_jax(size) else f" = {format_quantity(float(size), 'um')}"
+def refuse_floating_runout(values: Values, drive: Drive) -> None:
+    """Refuse the runout of parts that float: neither an axis of their own nor another track tells where it is.
+
+    Of tables in SI units whose numbers are known, and their drive.
+    """
+    springs, place = values.get("compliance", {}), {body.name: body.place for body in drive.bodies}
+    supported = "planet_support_stiffness" in springs
+    input_floats = springs.get("sun_support_stiffness") == 0.0
+    parts = form_parts(values, drive)
+    for number, entry in values.get("form", {}).items():
+        eccentricity = _amplitudes(entry).get(1)
+        for part in parts.get(entry["part"], ()):
+            free = place[part.body] == "free"
+            floats = not supported if free else input_floats and part.body == drive.input
+            if eccentricity is None or not (part.alone and floats):
+                continue
+            key = "runout" if "runout" in entry else "harmonics.1"
+            size = float(eccentricity) * (2.0 if key == "runout" else 1.0)
+            raise InputError(
+                f"form.{number}.{key} = {format_quantity(size, 'um')}: the {part.name.replace('_', ' ')} floats, no "
+                "axis: leave it out; its centre goes where its contacts put it"
+            )
 
 
 def _refuse_sector(sector: int | None, where: str, part: FormPart, sectors: int) -> None:

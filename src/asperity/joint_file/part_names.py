@@ -67,7 +67,7 @@ def size_keys(tables: Mapping[str, Any]) -> set[str]:
 SECTORS = "form_sectors"
 
 
-def with_tracks(tables: Document) -> Document:
+def with_structure(tables: Document) -> Document:
     """Tables in SI units that name what belongs to the structure of the drive, so that numbers may vary.
 
     The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth values

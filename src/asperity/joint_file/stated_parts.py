@@ -15,7 +15,7 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_values, thermal_change_of
-from asperity.joint_file.form_parts import form_errors, form_parts
+from asperity.joint_file.form_parts import form_errors, form_parts, refuse_floating_runout
 from asperity.joint_file.law_keys import LAW_OF_KEY
 from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
@@ -102,6 +102,7 @@ def _form_words(case: AnyCase, joint: Joint) -> dict[str, tuple[str, ...]]:
     drive = as_numbers(joint.drive)
     values = si_values(case)
     parts = form_parts(values, drive)
+    refuse_floating_runout(values, drive)
     readings: dict[tuple[str, str], dict[int, float]] = {}
     bodies = {part.name: part.body for each in parts.values() for part in each}
     for error in form_errors(values, parts, drive, round(float(joint.drive.sectors))):

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from asperity.engine.arrays import uses_jax, xp
-from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.results.result import Result
@@ -50,7 +49,7 @@ def worn_life(solved: SolvedJoint) -> WornLife:
     largest = xp.max(coefficients)
     required = math.nan if solved.required_life is None else largest * solved.required_life
     if uses_jax(joint, required):
-        found = at_once(wear_life, joint, coefficients / largest, required)
+        found = wear_life(joint, coefficients / largest, required)
         return WornLife(found.time / largest, found.preload, "")
     return _of_course(joint, np.asarray(coefficients / largest), float(largest), float(required))
 

@@ -21,7 +21,7 @@ import numpy as np
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.form import Lobes, lobes_of, orders
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
-from asperity.drive.state.ripple import Ripples, ripples, slip_of_waves, solved_waves
+from asperity.drive.state.ripple import Ripples, ripples, slip_of_waves, solved_waves, swing
 from asperity.drive.state.rolling_balance import RollingBalance, rolling_balance
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers, complex_number, xp
@@ -320,8 +320,7 @@ def turn_errors(
     amplitude = xp.stack([xp.asarray(each.amplitude, dtype=float) for each in errors])
     size = complex_number(amplitude * xp.cos(angle), amplitude * xp.sin(angle))
     known = [each.phase is not None for each in errors]
-    turned = complex_number(xp.zeros_like(solved.frequency), solved.frequency)
-    swung = solved.speed(rolling.machine)[:, drive.layout.output] / turned
+    swung = swing(solved.speed(rolling.machine)[:, drive.layout.output], solved.frequency)
     worst, rms = waves_together(size * swung, solved.frequency, known)
     slip, _ = waves_together(size[:, None] * slip_of_waves(rolling, solved), solved.frequency, known)
     slips = xp.abs(state.tangential) / rolling.balance.responses.capacity

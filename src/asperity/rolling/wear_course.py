@@ -14,28 +14,27 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import legendre
 
 from asperity.drive.state.state import STATE_TOLERANCE
 from asperity.engine import trees
 from asperity.engine.control import at_once, vectorised
 from asperity.errors import NoSolutionError
 from asperity.joint.capacity import limits_of
+from asperity.rolling.wear_integral import PLACES, integral_from
 from asperity.rolling.wear_rates import (
+    MOST,
     Wearing,
     WearLoad,
     WearState,
     Worn,
     felt_interference,
+    flat_excess,
     others_carry,
     unworn,
     wear_state,
 )
 
-_GAUSS_POINTS = 24
-#: Share of the interference up to which wear is followed.
-_MOST = 1.0 - 1e-5
-#: And above which nothing is left where no balance is found.
+#: Share of the interference above which nothing is left where no balance is found.
 _ALL_BUT_GONE = 1.0 - 1e-3
 #: By how much further a joint must still hold where one contact slides, relative to the interference that is left.
 _FURTHER = 1e-4
@@ -47,7 +46,6 @@ _FALLING, _HALVINGS = 0.75, 8
 _GOES_ON = ""
 _NEARLY = 1e-3  # change from which on the end of a stage is looked for anew
 _LAST = 1e-3  # last bit of y, along whose slope a path goes on beyond its end
-_FLAT = 1e-3  # share of its curvature with which a crown counts as worn flat
 _FINEST = 2001  # points at which the time of a stage is tabled
 #: Values at which the end of a stage is looked for at a time, rounds of the search, its last width over the whole;
 #: least guess of it, how far beyond a guess it is looked for, and how near to where it was one pass before.
@@ -182,7 +180,7 @@ _Stage = tuple[WearStage, str, int, int]
 
 def _stage(wearing: Wearing, loads: WearLoad, start: _Start) -> _Stage:
     """One stage with what ends it, or a part of it; equation (W4)."""
-    room = _MOST * (start.whole - start.lost)
+    room = MOST * (start.whole - start.lost)
     for halvings in range(_HALVINGS):
         found = _settled_stage(wearing, loads, start, room / 2.0**halvings, whole=halvings == 0)
         if found is not None:
@@ -202,8 +200,6 @@ def _settled_stage(
     it stays: at once where the drive feels one number.
     """
     path, length, end = _straight(wearing, loads, start), room, None
-    nodes, _ = legendre.leggauss(_GAUSS_POINTS)
-    y = 0.5 * (1.0 + nodes)
     looks = _ahead(_guess(start), room)
     change = 0.0
     for number in range(_PASSES):
@@ -211,12 +207,12 @@ def _settled_stage(
             end = _first_excess(partial(_excesses_along, wearing, path, loads), room, looks)
             length = room if end is None else end[0]
             looks = np.minimum(length * (1.0 + _AROUND * _NEAR), room)
-        before = path(length * (1.0 - y**2))
+        before = path(length * (1.0 - PLACES**2))
         state = states_at(wearing, before, loads)
-        per_y = 2.0 * length * y / _duty_mean(state.drive_rate, loads)
+        per_y = 2.0 * length * PLACES / _duty_mean(state.drive_rate, loads)
         taken = _Taken(wearing, start, length, per_y, state, loads)
         path = taken.path
-        change, last = _change(before, path(length * (1.0 - y**2)), length, wearing), change
+        change, last = _change(before, path(length * (1.0 - PLACES**2)), length, wearing), change
         if change < _SETTLED and last < _NEARLY:
             if end is not None:
                 named = _named(wearing, len(loads.share), end[1])
@@ -273,22 +269,26 @@ class _Taken:
         every = np.concatenate([np.ones((len(per_y), 1)), depths, slopes], axis=1)
         self._start, self._length, self._loads = start, length, loads
         self._numbers = 1 + depths.shape[1]
-        self._integral = _integral(per_y[:, None] * every)
+        self._per_y = per_y[:, None] * every
+
+    def _from(self, y: np.ndarray) -> np.ndarray:
+        """Time, depths and what is worn off until y, shape (n, numbers)."""
+        return np.asarray(integral_from(y, self._per_y))
 
     def path(self, lost: np.ndarray) -> Worn:
         """States of wear over the interference lost since the start; beyond the end as at its last bit."""
         left = 1.0 - np.asarray(lost) / self._length
-        inside = self._integral(1.0 - np.sqrt(np.maximum(left, 0.0)))[:, self._numbers :]
-        last = self._integral(np.array([1.0 - _LAST, 1.0]))[:, self._numbers :]
+        inside = self._from(np.sqrt(np.maximum(left, 0.0)))[:, self._numbers :]
+        last = self._from(np.array([_LAST, 0.0]))[:, self._numbers :]
         beyond = np.maximum(-left, 0.0)[:, None] * (last[1] - last[0]) / _LAST**2
         return _worn(self._start, inside + beyond)
 
     def stage(self) -> WearStage:
         """The stage, over evenly spaced y."""
-        start, fine = self._start, np.linspace(0.0, 1.0, _FINEST)
-        taken = self._integral(fine)
+        start, fine = self._start, np.linspace(1.0, 0.0, _FINEST)
+        taken = self._from(fine)
         return WearStage(
-            lost=start.lost + self._length * (1.0 - (1.0 - fine) ** 2),
+            lost=start.lost + self._length * (1.0 - fine**2),
             coefficient_time=start.time + taken[:, 0],
             worn=_worn(start, taken[:, self._numbers :]),
             depth=start.depth + taken[:, 1 : self._numbers].reshape(_FINEST, *start.depth.shape),
@@ -309,11 +309,9 @@ def _excesses(wearing: Wearing, worn: Worn, loads: WearLoad) -> np.ndarray:
     """Excesses of all limits under all loads, one after the other, then of crowns worn flat, shape (n, limits) [-]."""
     found = states_at(wearing, worn, loads).excesses
     found = np.where(np.isnan(found), -1.0, found).reshape(len(found), -1)
-    crowns = wearing.machine.contacts.crown_curvature
-    if worn.curvature is None or crowns is None:
+    if worn.curvature is None:
         return found
-    crowned = np.asarray(crowns) > 0.0
-    flat = np.where(crowned, worn.curvature / np.where(crowned, crowns, 1.0) - (1.0 - _FLAT), -1.0)
+    flat = np.asarray(flat_excess(wearing.machine, worn.curvature))
     return np.concatenate([found, flat], axis=1)
 
 
@@ -380,18 +378,3 @@ def _first_excess(
         trials = np.unique(np.concatenate([around, np.linspace(lower, upper, 6)]))
         trials = trials[(trials > lower) & (trials < upper)]
     return lower, which
-
-
-def _integral(values: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
-    """Integrals over y from 1 − s to 1 of functions known at Gauss points of 0 to 1, shape (points, functions)."""
-    nodes, weights = legendre.leggauss(len(values))
-    degrees = np.arange(nodes.size)
-    series = legendre.legvander(nodes, nodes.size - 1) * weights[:, None]
-    coefficients = (series.T @ values) * (2.0 * degrees + 1.0)[:, None] / 2.0
-    whole = legendre.legint(coefficients, lbnd=-1.0)
-
-    def taken(s: np.ndarray) -> np.ndarray:
-        ends = legendre.legval(np.ones(1), whole), legendre.legval(1.0 - 2.0 * s, whole)
-        return 0.5 * (ends[0] - ends[1]).T
-
-    return taken

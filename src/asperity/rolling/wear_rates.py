@@ -45,6 +45,10 @@ _SETTLINGS = 3
 _RANK = 1e-9
 #: A slip ratio below which the slices of a crowned contact are taken at it [-].
 _LEAST_SLIP = 1e-6
+#: Share of the interference up to which wear is followed.
+MOST = 1.0 - 1e-5
+#: Share of its curvature with which a crown counts as worn flat.
+_FLAT = 1e-3
 
 
 class Worn(Module):
@@ -111,6 +115,13 @@ def unworn(wearing: Wearing) -> Worn:
     """A state without wear, shape (1, contacts)."""
     nothing = np.zeros((1, len(wearing.machine.drive.contacts)))
     return Worn(nothing, None if wearing.machine.contacts.crown_curvature is None else nothing)
+
+
+def flat_excess(machine: JointMachine, lost: Array) -> Array:
+    """By how much crowns that lose curvature, shape (..., contacts) [1/m], are worn flat: 0 where they are [-]."""
+    crowned = xp.asarray(machine.contacts.crown_curvature) > 0.0
+    crowns = xp.where(crowned, xp.asarray(machine.contacts.crown_curvature), 1.0)
+    return xp.where(crowned, lost / crowns - (1.0 - _FLAT), -1.0)
 
 
 def worn_machine(machine: JointMachine, worn: Worn) -> JointMachine:

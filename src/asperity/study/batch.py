@@ -28,7 +28,9 @@ from asperity.engine import trees
 from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of, with_nominal_sizes
-from asperity.joint_file.part_names import drive_type_of, type_of, with_tracks
+from asperity.joint_file.form_parts import refuse_floating_runout
+from asperity.joint_file.part_names import drive_type_of, type_of, with_structure
+from asperity.joint_file.parts import layout_of
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import (
     MEASURED,
@@ -143,8 +145,8 @@ def evaluate_points(
     if MEASURED in values:
         options = {"in_all": in_all, "batch": batch, "threads": threads}
         return _evaluate_measured(values, points, results, report=report, **options)
-    values = with_tracks(values)
-    _refuse_count(values, tuple(points), results)
+    values = with_structure(values)
+    _refuse_what_cannot_vary(values, tuple(points), results)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     outside = np.zeros(count, dtype=bool)
@@ -249,7 +251,10 @@ def _of_turn(results: Iterable[str]) -> list[str]:
     return [name for name in results if RESULTS[name].group == "accuracy"]
 
 
-def _refuse_count(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> None:
+def _refuse_what_cannot_vary(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> None:
+    """Refuse a number of sectors that is fixed, and form errors that one joint could not have either."""
+    if _of_turn(results):
+        refuse_floating_runout(values, layout_of(values)[0])
     count = fixed_count(values, results)
     if count not in paths:
         return
@@ -260,7 +265,7 @@ def _refuse_count(values: Values, paths: tuple[str, ...], results: tuple[str, ..
         )
     raise InputError(
         f"{count} cannot vary with {_of_turn(results)[0]}: form errors are those of parts in a drive of a known "
-        "number of sectors; leave it out, or ask for other results"
+        "number of sectors; leave it out, ask for other results, or leave [[form]] out of the file"
     )
 
 
@@ -326,9 +331,9 @@ def derivatives_at(
     """
     if MEASURED in values:
         return _derivatives_measured(values, changes, results, variables, nominal, block)
-    _refuse_count(values, variables, results)
+    _refuse_what_cannot_vary(values, variables, results)
     points = max((np.size(value) for value in changes.values()), default=1)
-    filled = replace_values(with_tracks(values), changes)
+    filled = replace_values(with_structure(values), changes)
     table = _table(filled, points)
     nothing = with_numbers(filled, itertools.repeat(0.0))
     moved = [replace_values(nothing, {path: 1.0}) for path in (*variables, *nominal)]

@@ -32,11 +32,13 @@ from asperity.drive.state.form_terms import with_form
 from asperity.drive.state.loads import Resistance
 from asperity.drive.state.rolling_balance import RollingBalance
 from asperity.drive.state.slopes import ResponsesAndSlopes, Slopes, responses_and_slopes, state_slopes
-from asperity.engine.arrays import as_complex, complex_number, uses_jax, xp
+from asperity.engine.arrays import as_complex, complex_number, xp
+from asperity.engine.control import map_over
 from asperity.engine.derivatives import jacobian, value_and_slopes
 from asperity.engine.trees import map as of_leaves
 from asperity.errors import NoSolutionError
-from asperity.types import Array
+from asperity.linear import solve_rows
+from asperity.types import Array, Number
 
 
 class Ripples(NamedTuple):
@@ -60,11 +62,19 @@ class Ripples(NamedTuple):
     input_torque: np.ndarray
 
     def error(self, member: int) -> np.ndarray:
-        r"""Angle by which a member deviates from its steady rotation, over the amplitudes, shape (waves,) [rad/m].
+        """That of :func:`swing` of a member."""
+        return np.asarray(swing(self.speed[:, member], self.frequency))
 
-        .. math:: \int (\omega - \bar\omega)\,d\tau = \frac{\Omega}{i \nu}
-        """
-        return self.speed[:, member] / (1j * self.frequency)
+
+def swing(speed: Number, frequency: Number) -> Array:
+    r"""Angle by which a member deviates from its steady rotation, over the amplitudes, shape (waves,) [rad/m].
+
+    .. math:: \int (\omega - \bar\omega)\,d\tau = \frac{\Omega}{i \nu}
+
+    ``speed`` over that of the input, complex, over the amplitudes [1/m]; ``frequency`` nu [-].
+    """
+    angle: Array = speed / complex_number(xp.zeros_like(frequency), frequency)
+    return angle
 
 
 def ripples(rolling: RollingBalance, waves: Sequence[Lobes]) -> Ripples:
@@ -91,13 +101,12 @@ def ripples(rolling: RollingBalance, waves: Sequence[Lobes]) -> Ripples:
     ----------
     Equations (R1) to (R3) of :doc:`/equations`, linear in form and movement.
     """
-    try:
-        with np.errstate(all="ignore"):
-            solved = solved_waves(rolling, waves)
-    except np.linalg.LinAlgError:
+    with np.errstate(all="ignore"):
+        solved = solved_waves(rolling, waves)
+    if not np.all(np.isfinite(solved.unknowns)):
         raise NoSolutionError(
             "the equations of a form error have no solution: nothing holds a part of the drive"
-        ) from None
+        )
     return _ripples_of(rolling, solved)
 
 
@@ -154,25 +163,20 @@ def solved_waves(
 def _solved(
     matrix: Array, damping: Array, frequency: Array, right_sides: Array, groups: Sequence[int]
 ) -> Array:
-    r"""The x of :math:`(J + i \nu D) x = b` for waves of some frequencies, shape (waves, n)."""
-    if not uses_jax(matrix, damping, frequency, right_sides):
-        systems = complex_number(matrix, frequency[:, None, None] * damping)
-        return xp.linalg.solve(systems, right_sides[:, :, None])[:, :, 0]
-    import jax
-
-    from asperity.engine.elimination import solve_rows
-
+    r"""The x of :math:`(J + i \nu D) x = b` for waves of some frequencies, shape (waves, n); one matrix for a group."""
     places = [[k for k, of in enumerate(groups) if of == group] for group in dict.fromkeys(groups)]
     most = max(map(len, places))
-    filled = xp.asarray([(place + place[-1:] * most)[:most] for place in places])
+    filled = np.array([(place + place[-1:] * most)[:most] for place in places])
 
-    def of_group(at: Array) -> Array:
-        return solve_rows(complex_number(matrix, frequency[at[0]] * damping), right_sides[at])
+    def of_group(given: tuple[Array, Array]) -> Array:
+        nu, sides = given
+        return solve_rows(complex_number(matrix, nu * damping), sides)
 
-    solutions = jax.vmap(of_group)(filled)
+    solutions = map_over(of_group, (frequency[filled[:, 0]], right_sides[filled]))
     where = {k: (group, row) for group, place in enumerate(places) for row, k in enumerate(place)}
     first, second = np.array([where[k] for k in range(len(groups))]).T
-    return solutions[first, second]
+    found: Array = solutions[first, second]
+    return found
 
 
 def full_slopes(slopes: Slopes) -> Array:

@@ -13,7 +13,7 @@ import numpy as np
 from asperity.compilation import program_for_few
 from asperity.engine import trees
 from asperity.joint_file.own_branches import joint_with_branches
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.part_names import with_structure
 from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
 from asperity.standing.over_torque import curve_program
 from asperity.standing.standing import NO_SLIP_FRICTION
@@ -66,7 +66,7 @@ def _of_one_set(
     slopes: bool,
 ) -> JointPoints:
     """The chain that is written for one joint: one set, assembled once, at all torques."""
-    filled = replace_values(with_tracks(values), dict(zip(paths, map(float, one), strict=True)))
+    filled = replace_values(with_structure(values), dict(zip(paths, map(float, one), strict=True)))
     base = np.array(numbers(filled), dtype=float)
     nothing = with_numbers(filled, iter(np.zeros(base.size)))
     asked = paths if slopes else ()
