@@ -8,6 +8,7 @@ from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import contact_in, replace_values, si_values
 from asperity.joint_file.wear import wear_of_case
 from asperity.results.wear_document import wear_document
 from asperity.views.blocks import Figures
@@ -136,3 +137,14 @@ def test_a_cam_beside_an_interference_carries_on():
         for item in block.items
     ]
     assert all("not computed beyond: the whole interference is gone" in detail for detail in said)
+
+
+def test_the_coefficient_of_one_body_splits_that_of_all():
+    values = si_values(with_coefficient('"1e-17 1/Pa"'))
+    changed = replace_values(values, {"wear.coefficient.sun": 2e-17})["wear"]["coefficient"]
+    assert changed == {"sun": 2e-17, "planet": 1e-17, "loading_roller": 1e-17, "ring": 1e-17}
+    all_alike = replace_values(si_values(with_coefficient(BY_PART)), {"wear.coefficient": 3e-17})
+    assert set(all_alike["wear"]["coefficient"].values()) == {3e-17}
+    with pytest.raises(InputError, match="this drive has no body 'suns'; did you mean 'sun'"):
+        replace_values(values, {"wear.coefficient.suns": 2e-17})
+    assert contact_in("wear.coefficient.sun") == "sun"

@@ -24,7 +24,7 @@ from asperity.joint_file.case_types import CASES
 from asperity.joint_file.fluid_entries import CURVES, FluidEntry
 from asperity.joint_file.law_keys import RIVALS
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import contacts_of, paths_of_track, type_of
+from asperity.joint_file.part_names import HOUSING, contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Distribution, Key, Quantity
 from asperity.joint_file.section import Section, keys_by_path, leaves
 from asperity.types import Document
@@ -70,8 +70,8 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     **{key: tuple(sorted(rivals)) for key, rivals in RIVALS.items()},
 }
 _NAMED = ("materials", "fluids", "duty", "form", "branch", "roller", "contact")
-_STATED_PER_PART = "wear.coefficient"
 _STATED_PER_CONTACT = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
+_STATED_PER_BODY = ("wear.coefficient",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,9 +241,7 @@ def change_targets(
     tables: Any, path: str, *, split: Callable[[Any, tuple[str, ...]], Any] = _for_each_contact
 ) -> list[tuple[str, ...]]:
     """Where a change of a number goes in nested tables."""
-    if path == _STATED_PER_PART or path.startswith(f"{_STATED_PER_PART}."):
-        return _targets_of_parts(tables, path)
-    for place in _STATED_PER_CONTACT:
+    for place in (*_STATED_PER_CONTACT, *_STATED_PER_BODY):
         if path == place or path.startswith(f"{place}."):
             break
     else:
@@ -253,43 +251,34 @@ def change_targets(
     parent = tables
     for step in head[:-1]:
         parent = parent.setdefault(step, {})
-    entry = parent.get(head[-1], 0.0)  # only the skew may be absent: parallel
-    contacts = contacts_of(tables)
-    for_each = isinstance(entry, dict) and contacts[0] in entry
+    entry = parent.get(head[-1], 0.0)  # the skew, and wear, may be absent
+    noun, names = (
+        ("contact", contacts_of(tables)) if place in _STATED_PER_CONTACT else ("body", _worn(tables))
+    )
+    for_each = isinstance(entry, dict) and names[0] in entry
     if contact_in(path) is not None:
-        if rest[0] not in contacts:
+        if rest[0] not in names:
             raise InputError(
-                f"{path}: this drive has no contact '{rest[0]}'"
-                f"{nearest(rest[0], contacts) or '; it has ' + ', '.join(contacts)}"
+                f"{path}: this drive has no {noun} '{rest[0]}'"
+                f"{nearest(rest[0], names) or '; it has ' + ', '.join(names)}"
             )
         if not for_each:
-            parent[head[-1]] = split(entry, contacts)
+            parent[head[-1]] = split(entry, names)
         return [head + rest]
-    return [(*head, name, *rest) for name in contacts] if for_each else [head + rest]
+    return [(*head, name, *rest) for name in names] if for_each else [head + rest]
 
 
-def _targets_of_parts(tables: Any, path: str) -> list[tuple[str, ...]]:
-    """The same of a number that a file states once for all parts, or for each of them."""
-    head, name = tuple(_STATED_PER_PART.split(".")), path.removeprefix(_STATED_PER_PART).removeprefix(".")
-    entry = tables.get(head[0], {}).get(head[1])
-    if not name:
-        return [(*head, part) for part in entry] if isinstance(entry, dict) else [head]
-    if not isinstance(entry, dict):
-        raise InputError(
-            f"{path}: the file has no {_STATED_PER_PART} for each part; vary '{_STATED_PER_PART}', or state a table "
-            "with the names of [bodies]"
-        )
-    if name not in entry:
-        raise InputError(f"{path}: there is no part '{name}'{nearest(name, entry)}")
-    return [(*head, name)]
+def _worn(tables: Mapping[str, Any]) -> tuple[str, ...]:
+    """Names of the bodies that wear: those of [bodies] without the housing."""
+    return tuple(name for name in tables["bodies"] if name != HOUSING)
 
 
 def contact_in(path: str) -> str | None:
-    """The contact that a dotted path names, if the number may be stated for each contact.
+    """The contact, or body, that a dotted path names, if the number may be stated for each.
 
-    None where the path stands for all contacts, or for a number that has none.
+    None where the path stands for all of them, or for a number that has none.
     """
-    for place in _STATED_PER_CONTACT:
+    for place in (*_STATED_PER_CONTACT, *_STATED_PER_BODY):
         rest = path.removeprefix(f"{place}.").split(".")
         if path.startswith(f"{place}.") and len(rest) == (2 if place == "surface" else 1):
             return rest[0]

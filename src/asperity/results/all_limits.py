@@ -127,7 +127,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     if solved.required_life is None:
         return ()
     duty = bool(solved.joint.rolling.duty)
-    required, less = solved.required_life, "lower the preload, the torque or the speed, or"
+    required, less = float(solved.required_life), "lower the preload, the torque or the speed, or"
     unknown = f"no rating life to compare with the required life: {_no_life_because(solved)}"
     missing, life = _no_film_factor(solved), _life_of_drive(solved)
     remedy = f"{less} make rollers larger or contacts longer"

@@ -45,7 +45,7 @@ from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes
 from asperity.results.oil_notes import oil_notes
 from asperity.rolling.accuracy import Accuracy, TurnErrors
 from asperity.rolling.inlet_heat import film_unknown_because
-from asperity.types import Array
+from asperity.types import Array, Real
 
 _Found = TypeVar("_Found")
 
@@ -118,7 +118,7 @@ class SolvedJoint:
     joint: Joint
     result: JointResult
     #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
-    required_life: Any = None
+    required_life: Real | None = None
     #: What its form errors do over a turn, where a file states them; raises NoSolutionError where it does not roll.
     over_turn: Callable[[], Accuracy] | None = None
     #: The sums of that, of a point of a study.

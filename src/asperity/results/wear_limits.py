@@ -31,7 +31,7 @@ def wear_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
             "wear leaves the grip of every contact for rolling.required_life",
             "wear lets a contact slide before rolling.required_life",
             _REMEDY,
-            lowest=solved.required_life,
+            lowest=float(solved.required_life),
             inclusive=True,
             unknown=found.unknown,
         ),
